@@ -1,0 +1,1779 @@
+/* surfmink.h - v0.1.0 - surface Minkowski tensors of closed curves - MIT or public domain, as you like (end of file)
+
+   One header, C99 and C++, only libm, no allocation, no global state.
+
+   WHAT IT DOES
+     Says how p-fold symmetric an outline on a curved surface is, and in which directions. Corners in, mu_p out:
+     mu_p = 1 for a polygon of p equal angles (in the plane, on a sphere, anywhere), 0 for a circle, between for the
+     rest. mu_2 is elongation, mu_3 is how triangular, ..., mu_6 how hexagonal.
+
+   QUICK START
+     #define SURFMINK_IMPLEMENTATION                              // in exactly one .c or .cpp file
+     #include "surfmink.h"
+
+     double corner[9] = {0, 0, 1,  1, 0, 0,  0, 1, 0};            // an octant of the unit sphere, counter-clockwise
+     double mu[7];                                                // mu_0 ... mu_6
+     int status = surfmink_measure_sphere(corner, 3, 1.0, 6, mu, NULL, NULL, NULL);
+     if (status != SURFMINK_OK) puts(surfmink_strerror(status));
+     else printf("mu_3 = %.3f, mu_4 = %.3f\n", mu[3], mu[4]);     // 1 and 0: a triangle, right angles and all
+
+   DATA FLOW (sections of this file, in order)
+     corners (+ normals | surface callbacks)
+       1 measure    edge lengths l_i, turning angles alpha_i     plane | sphere | embedded surface | callbacks
+       2 transport  phases f_i                                   defect-corrected | classical parallel transport
+       3 integrate  irreducible components g_p, p = 0..P         the full tensors W_1^p from them
+       4 spectrum   lambda_p, mu_p, eigenvector angles theta     eigenvectors in the plane or in space
+     surfmink_measure_* walks through all four; everything after step 1 knows only l_i and alpha_i, not the surface.
+
+   CONVENTIONS
+     corner x_i     x_0 .. x_{n-1}, counter-clockwise about the outer normal, the first not repeated at the end
+     length l_i     of edge i, which joins corner i to corner i+1 (indices modulo n); your unit
+     turning        alpha_i, the signed turn AT corner i, positive towards the inside; radians in [-pi, pi]
+     S              sum of alpha_i = 2 pi - enclosed Gaussian curvature; 2 pi in the plane
+     phase f_i      of edge i: f_0 = 0, f_i = (2 pi / S)(alpha_1 + ... + alpha_i); n further corners add 2 pi
+     rank p         0 .. P = max_rank, any P; p = 0 gives L; mu_1 = 0 in the plane but not on curved surfaces
+     g_p            sum of l_i exp(i p f_i), stored as g[2p] (real part) and g[2p+1] (imaginary part)
+     lambda_p, mu_p |g_p| and |g_p| / L in [0, 1]
+     theta          eigenvector angle, from the outer co-normal nu of an edge towards its tangent tau, where
+                    (nu, tau, normal) is right-handed: nu = tau x normal. g is read at the MIDDLE of edge 0.
+     Arrays hold one corner after the other: x y (plane) or x y z. Lengths come out in the unit of the corners.
+
+   PAPER
+     L. Happel, H. Hardering, S. Praetorius, A. Voigt: Surface Minkowski tensors to characterize shapes on curved
+     surfaces. "Paper 2.3" in this file is a section of it. Section 3 turns by alpha_i between edges i-1 and i; that
+     is what is done here. (Section 4 prints the sum one corner late, which is wrong where edges differ in length.)
+
+   ERRORS
+     A call that can fail returns SURFMINK_OK = 0 or a value of enum surfmink_status, named after what is wrong with
+     the outline; every output is then untouched, except *bad: the corner to blame, or n if it is the whole outline.
+     NULL is allowed only where a docstring says so. Outputs do not overlap inputs unless a docstring says so.
+     No errno, no assert, no printing. All calls are re-entrant and thread-safe.
+
+   CONFIGURE (all optional; define before the include that has SURFMINK_IMPLEMENTATION)
+     SURFMINK_STATIC     private copy in this file; may be used in several files at once
+     SURFMINK_DEF        prefix of every public function, e.g. __declspec(dllexport)
+     SURFMINK_SIN, SURFMINK_COS, SURFMINK_ATAN2, SURFMINK_SQRT
+                         replacements for libm; with all four defined <math.h> is not included
+     Including the file again, with or without SURFMINK_IMPLEMENTATION, does nothing twice.
+
+   ACCURACY
+     Of L about 1e-15 relative; of S, mu_p and p theta_p a few 1e-15 for p <= 12, times the condition number
+     sum |alpha_i| / S where an outline winds a lot or encloses a curvature near 2 pi; of areas about 1e-15 relative
+     at any size of the outline. tests/test_surfmink.c holds these against 50-digit reference values. Sums over many
+     corners are compensated: outlines of 1e7 corners are as accurate as those of ten. An edge that is steeper
+     than 45 degrees against the tangent plane of an embedded surface costs a factor 1/cos(slope).
+     Angles use differences of corners and atan2, never arccos: cells of size 1e-9 keep all digits.
+
+   DETERMINISM
+     The same binary gives the same bits, whatever the thread or the locale. Different compilers may round differently
+     where they fuse a*b+c (-ffp-contract=off forbids it) or where libm differs. -ffast-math keeps finite results good
+     to 1e-12 but lets NaN and infinity pass unrefused, and removes the compensation of long sums.
+
+   HISTORY
+     0.1.0  the four steps, the four kinds of surfaces, transports, tensors, helpers */
+#ifndef SURFMINK_H
+#define SURFMINK_H
+
+#define SURFMINK_VERSION       "0.1.0"
+#define SURFMINK_VERSION_MAJOR 0
+#define SURFMINK_VERSION_MINOR 1
+#define SURFMINK_VERSION_PATCH 0
+
+#include <stddef.h> /* size_t, ptrdiff_t */
+
+#ifndef SURFMINK_DEF
+#if defined(SURFMINK_STATIC) && defined(__GNUC__)
+#define SURFMINK_DEF __attribute__((unused)) static /* no warning about what a program does not call */
+#elif defined(SURFMINK_STATIC)
+#define SURFMINK_DEF static
+#else
+#define SURFMINK_DEF extern
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What may be wrong with an outline. surfmink_strerror says it in a sentence, surfmink_status_name in a word. */
+enum surfmink_status {
+    SURFMINK_OK = 0,
+    SURFMINK_TOO_FEW_CORNERS = 1,    /* a polygon needs at least 3 */
+    SURFMINK_NOT_FINITE = 2,         /* a NaN or an infinity, or a difference of corners that overflows */
+    SURFMINK_COINCIDENT_CORNERS = 3, /* two neighbours are the same point: surfmink_merge drops one of them */
+    SURFMINK_ZERO_NORMAL = 4,        /* a normal has no direction; on the sphere: a corner is the centre */
+    SURFMINK_UPRIGHT_EDGE = 5,       /* an edge runs along the normal: it has no direction in the tangent plane */
+    SURFMINK_ANTIPODAL_CORNERS = 6,  /* two neighbours are opposite: no unique great circle joins them */
+    SURFMINK_CLOCKWISE = 7,          /* S < 0: surfmink_reverse turns the corners round; or normals point inwards */
+    SURFMINK_TOO_MUCH_CURVATURE = 8, /* the enclosed curvature reaches 2 pi: S is no more than rounding noise */
+    SURFMINK_CROSSES_ITSELF = 9,     /* plane and sphere only: S and the area contradict each other */
+    SURFMINK_CALLBACK_FAILED = 10,   /* a surface's log or exp failed or returned nonsense */
+    SURFMINK_BAD_ARGUMENT = 11       /* a negative rank, a radius that is not positive, an edge >= n, ... */
+};
+
+/* One sentence for a status, "" for a number that is none. The texts are constants. */
+SURFMINK_DEF const char *surfmink_strerror(int status);
+
+/* One word for a status, for tables: "ok", "too_few_corners", ...; "" for a number that is none. */
+SURFMINK_DEF const char *surfmink_status_name(int status);
+
+/* The Minkowski functionals of an outline (paper 2.2) and what follows from them.                                */
+typedef struct surfmink_functionals {
+    double area;      /* W_0, plane and sphere; 0 where the surface does not tell it (embedded, callbacks) */
+    double length;    /* W_1 = L, the sum of the edge lengths */
+    double turning;   /* W_2 = S, the sum of the turning angles */
+    double curvature; /* enclosed Gaussian curvature 2 pi - S: plane 0, sphere area / R^2, which keeps small digits */
+    double condition; /* sum |alpha_i| / S >= 1: by how much errors of single angles may be amplified */
+} surfmink_functionals;
+
+/* A surface of yours. Corners are opaque to this file: stride doubles each, read only by the callbacks.
+   log     the geodesic from x to y: its length > 0 and its direction at x, as two components in an oriented orthonormal
+           frame at x of your choice (the same one each time x is asked for); need not be unit. So surfaces need not
+           be embedded in space. Coinciding points have no direction: return SURFMINK_COINCIDENT_CORNERS.
+   exp     the point at the given length along the geodesic that leaves x in the given unit direction. Only the
+           functions that build something (regular polygon, points of an edge) ask for it: else it may be NULL.
+   Return SURFMINK_OK, or the status to report: SURFMINK_CALLBACK_FAILED, or a better name; outputs then do
+   not matter. */
+typedef struct surfmink_surface {
+    void *context; /* handed to the callbacks as it is */
+    size_t stride; /* doubles a corner */
+    int (*log)(void *context, const double *x, const double *y, double *length, double direction[2]);
+    int (*exp)(void *context, const double *x, const double direction[2], double length, double *y);
+} surfmink_surface;
+
+/* Which transport along the outline a phase or a vector follows (paper 2.3). */
+enum surfmink_transport {
+    SURFMINK_CORRECTED = 0, /* f = phi + eta: after one turn round the outline every vector is back where it was */
+    SURFMINK_PARALLEL = 1,  /* phi: the classical parallel transport, off by the enclosed curvature after one turn */
+    SURFMINK_DEFECT = 2     /* eta = (2 pi / S - 1) phi: the rotation between the two */
+};
+
+/* --- the easy door: all four steps in one call -------------------------------------------------------------------- */
+
+/* Measures a polygon of the plane.
+   corner      2 n    x y of each corner
+   n                  number of corners, >= 3
+   max_rank           P >= 0
+   mu          P + 1  out: mu_0 = 1, mu_1, ..., mu_P; or NULL
+   g         2 P + 2  out: irreducible components, for surfmink_spectrum and surfmink_angles; or NULL
+   w                  out: the Minkowski functionals; or NULL
+   bad                out, only on failure: the corner to blame, or n; or NULL
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, COINCIDENT_CORNERS, CLOCKWISE, CROSSES_ITSELF (S is not 2 pi), BAD_ARGUMENT.
+   An exact spike (the outline runs back on itself) has a turn of pi without a sign: it counts as +pi, a whisker that
+   sticks out. One that sticks in is refused as CROSSES_ITSELF.
+   Cost: O(n P) time, 3 KiB of stack. Paper 3.3, eq. (integrated-components-polygon), with the turn of section 3. */
+SURFMINK_DEF int surfmink_measure_plane(const double *corner, size_t n, int max_rank, double *mu, double *g,
+                                        surfmink_functionals *w, size_t *bad);
+
+/* Measures a polygon of great-circle arcs on the sphere of the given radius about the origin.
+   corner      3 n    x y z of each corner; only its direction counts, so it may lie a little off the sphere, or on
+                      the unit sphere while radius gives the unit of the lengths
+   radius             > 0
+   The rest, spikes and cost as in surfmink_measure_plane. Edges are shorter than half a great circle.
+   Errors: as in the plane, and ZERO_NORMAL (a corner at the origin), ANTIPODAL_CORNERS, TOO_MUCH_CURVATURE (a
+   great circle). CROSSES_ITSELF: S + area / R^2 is not 2 pi. More than a hemisphere has S < 0: CLOCKWISE. */
+SURFMINK_DEF int surfmink_measure_sphere(const double *corner, size_t n, double radius, int max_rank, double *mu,
+                                         double *g, surfmink_functionals *w, size_t *bad);
+
+/* Measures a polygon of straight chords between points of a surface in space with known normals (paper 4.2).
+   corner      3 n    x y z of each corner
+   normal      3 n    outer normal at each corner; need not be unit; the same array as corner for a sphere at the origin
+   The rest, spikes and cost as in surfmink_measure_plane. w->area is 0, for only you know the surface between corners.
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, COINCIDENT_CORNERS, ZERO_NORMAL, UPRIGHT_EDGE (within 1e-6 rad of the normal),
+   CLOCKWISE, TOO_MUCH_CURVATURE, BAD_ARGUMENT. An outline that crosses itself is not found out. */
+SURFMINK_DEF int surfmink_measure_embedded(const double *corner, const double *normal, size_t n, int max_rank,
+                                           double *mu, double *g, surfmink_functionals *w, size_t *bad);
+
+/* Measures a geodesic polygon of any surface that has a log.
+   corner      n * surface->stride, as the callbacks understand them
+   scratch     2 n    doubles to work in; no other call needs any
+   The rest and spikes as in surfmink_measure_plane; w->area is 0.
+   Errors: what the callbacks return, else CALLBACK_FAILED; TOO_FEW_CORNERS, COINCIDENT_CORNERS (a length of 0),
+   CLOCKWISE, TOO_MUCH_CURVATURE, BAD_ARGUMENT (no log, no stride). Cost: 2 n calls of log, O(n P) time. Paper 4.1. */
+SURFMINK_DEF int surfmink_measure_surface(const surfmink_surface *surface, const double *corner, size_t n,
+                                          double *scratch, int max_rank, double *mu, double *g, surfmink_functionals *w,
+                                          size_t *bad);
+
+/* --- 1. measure: corners -> lengths, turning angles, Minkowski functionals ---------------------------------------- */
+
+/* Edge lengths and turning angles; one function per kind of surface. Inputs and errors as in surfmink_measure_*, but
+   nothing is said about the outline as a whole: no CLOCKWISE, TOO_MUCH_CURVATURE, CROSSES_ITSELF.
+   length      n      out: l_i, of the edge from corner i to corner i+1
+   turning     n      out: alpha_i, at corner i, in [-pi, pi]
+   Cost: O(n), one atan2 a corner (sphere: two). Paper 4.2; on the sphere and through callbacks 4.1. */
+SURFMINK_DEF int surfmink_edges_plane(const double *corner, size_t n, double *length, double *turning, size_t *bad);
+SURFMINK_DEF int surfmink_edges_sphere(const double *corner, size_t n, double radius, double *length, double *turning,
+                                       size_t *bad);
+SURFMINK_DEF int surfmink_edges_embedded(const double *corner, const double *normal, size_t n, double *length,
+                                         double *turning, size_t *bad);
+/* scratch: 2 n doubles to work in, so that a callback that fails half-way leaves length and turning untouched. */
+SURFMINK_DEF int surfmink_edges_surface(const surfmink_surface *surface, const double *corner, size_t n,
+                                        double *scratch, double *length, double *turning, size_t *bad);
+
+/* L, S, 2 pi - S and the condition number of measured edges; w->area is set to 0.
+   length      n      lengths >= 0
+   turning     n      radians
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT (a negative length, all lengths 0), CLOCKWISE, TOO_MUCH_CURVATURE:
+   |S| < max(1e-12 sum |alpha|, 4 n eps), below which S is rounding noise. Cost: O(n). Paper 2.2. */
+SURFMINK_DEF int surfmink_total(const double *length, const double *turning, size_t n, surfmink_functionals *w);
+
+/* W_0 in the plane, positive if counter-clockwise: shoelace about corner 0, so that digits survive far away.
+   Errors: TOO_FEW_CORNERS, NOT_FINITE. Cost: O(n). */
+SURFMINK_DEF int surfmink_area_plane(const double *corner, size_t n, double *area);
+
+/* W_0 on the sphere, in (-2 pi R^2, 2 pi R^2]: of the part to the left of the outline if that is the smaller one, else
+   minus that of the part to the right. A fan of triangles, relative accuracy about 1e-15 at any size.
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, ZERO_NORMAL, COINCIDENT_CORNERS, ANTIPODAL_CORNERS, BAD_ARGUMENT. Cost: O(n). */
+SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double radius, double *area);
+
+/* --- 2. transport: turning angles -> phases ----------------------------------------------------------------------- */
+
+/* Phase of each edge, the angle that a co-normal gains on its way back to edge 0: a sum over turning[1] ... turning[i],
+   times 2 pi / S (SURFMINK_CORRECTED: f_i), 1 (SURFMINK_PARALLEL: phi_i) or 2 pi / S - 1 (SURFMINK_DEFECT: eta_i).
+   turning     n      radians
+   transport          of enum surfmink_transport
+   phase       n      out: radians, not reduced; phase[0] = 0; may be the same array as turning
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT, and unless PARALLEL: CLOCKWISE, TOO_MUCH_CURVATURE.
+   Cost: O(n); the sums are compensated. Paper 2.3, eq. (f); 3.3 for polygons. */
+SURFMINK_DEF int surfmink_phases(const double *turning, size_t n, int transport, double *phase);
+
+/* Carries a direction along the outline: an angle against the co-normal of edge `from`, past `steps` corners (backwards
+   if negative), becomes an angle against the co-normal of the edge where it arrives. n steps are one turn: CORRECTED
+   then gives angle - 2 pi, PARALLEL angle - S, which is off by the enclosed curvature.
+   angle, *carried    radians, not reduced
+   Errors: as surfmink_phases, and BAD_ARGUMENT if from >= n. Cost: O(n + |steps|). Paper 2.3. */
+SURFMINK_DEF int surfmink_transport_angle(const double *turning, size_t n, size_t from, ptrdiff_t steps, int transport,
+                                          double angle, double *carried);
+
+/* The same for a tangent vector in space: from the middle of one edge of an embedded outline to that of another.
+   corner, normal 3 n as in surfmink_measure_embedded; turning n from surfmink_edges_embedded (or _sphere)
+   vector      3      its part along the normal is dropped
+   carried     3      out; may be the same array as vector
+   Errors: as surfmink_transport_angle and surfmink_frame_embedded. */
+SURFMINK_DEF int surfmink_transport_vector(const double *corner, const double *normal, const double *turning, size_t n,
+                                           size_t from, ptrdiff_t steps, int transport, const double vector[3],
+                                           double carried[3]);
+
+/* --- 3. integrate: lengths, phases -> irreducible components, tensors --------------------------------------------- */
+
+/* Irreducible components g_p = sum_i length_i exp(i p phase_i), p = 0..P; corrected phases read them at the middle
+   of edge 0.
+   length      n      lengths >= 0
+   phase       n      radians, from surfmink_phases
+   max_rank           P >= 0; errors grow slowly with it (1e-14 at 128)
+   g         2 P + 2  out: g[2p], g[2p+1]; g[0] = L, g[1] = 0
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT. Cost: O(n P), one sine and cosine an edge and 16 ranks, 3 KiB of
+   stack. Paper 3.3, eq. (integrated-components-polygon). */
+SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase, size_t n, int max_rank, double *g);
+
+/* The same with the classical parallel transport to a point of the outline: at `fraction` of edge `edge`. The result
+   depends on that point, wherever curvature is enclosed; that is why it is here only for comparison.
+   turning     n      radians, of any sum
+   edge, fraction     edge < n, 0 <= fraction < 1; the edge is split there in two
+   Errors and cost as surfmink_irreducible. Paper 2.3 and 5.1, figure (minkowski-eigenvectors). */
+SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const double *turning, size_t n, size_t edge,
+                                               double fraction, int max_rank, double *g);
+
+/* The distinct components of the full symmetric tensor W_1^p = sum_i l_i nu_i (x) ... (x) nu_i (paper 2.3).
+   g         2 p + 2  components of all ranks up to p
+   p                  0 .. 1000
+   tensor      p + 1  out: tensor[j] has j indices along tau and p - j along nu, = sum_i l_i cos^(p-j) f_i sin^j f_i
+   Errors: BAD_ARGUMENT. Cost: O(p^2). */
+SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor);
+
+/* The same for its trace-free part, which only g_p makes up: 2^(1-p) times the real part of (-i)^j g_p (paper 2.4). */
+SURFMINK_DEF int surfmink_trace_free(const double *g, int p, double *tensor);
+
+/* Contracts a symmetric tensor of rank p with p - 1 copies of a vector. For the trace-free part of W_1^p and a unit
+   eigenvector e the result is 2^(1-p) lambda e: the eigenvalue equation of paper 2.4.
+   tensor      p + 1  as from surfmink_tensor or surfmink_trace_free
+   p                  1 .. 1000
+   vector      2      along nu, along tau
+   contracted  2      out; may be the same array as vector
+   Errors: BAD_ARGUMENT. Cost: O(p). Rounding errors grow like 2^(p/2) eps against the result: the components are an
+   ill-conditioned basis at high rank, unlike g. */
+SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vector[2], double contracted[2]);
+
+/* --- 4. spectrum: irreducible components -> eigenvalues, eigenvectors --------------------------------------------- */
+
+/* Eigenvalues and first eigenvector angles of all ranks. Each output may be NULL.
+   g         2 P + 2
+   lambda      P + 1  out: lambda_p = |g_p| >= 0; the other eigenvalue is -lambda_p
+   mu          P + 1  out: lambda_p / L in [0, 1], up to rounding
+   theta       P + 1  out: arg(g_p) / p in (-pi/p, pi/p], the n = 0 eigenvector of +lambda_p; theta[0] = 0.
+                      Where mu_p is no more than rounding noise (1e-14) the directions are noise too
+   Errors: NOT_FINITE, BAD_ARGUMENT (L is not positive). Cost: O(P). Paper 2.4. */
+SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta);
+
+/* The p eigenvector angles of one rank p >= 1: (arg g_p + 2 pi n) / p for sign >= 0, (arg g_p + (2 n + 1) pi) / p for
+   sign < 0, n = 0 .. p-1. Errors: NOT_FINITE, BAD_ARGUMENT. Cost: O(p). Paper 2.4, eq. (minkowski-eigenvectors). */
+SURFMINK_DEF int surfmink_angles(const double *g, int p, int sign, double *theta);
+
+/* Outer co-normal nu and tangent tau of an edge of a plane polygon, unit vectors: frame[0..1] = nu, frame[2..3] = tau.
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, COINCIDENT_CORNERS, BAD_ARGUMENT (edge >= n). */
+SURFMINK_DEF int surfmink_frame_plane(const double *corner, size_t n, size_t edge, double frame[4]);
+
+/* Co-normal, tangent and normal at the middle of an edge in space: frame[0..2] = nu, [3..5] = tau along the chord,
+   [6..8] = the mean of the normals at both ends, made orthogonal to the chord. On a sphere pass the corners as normals.
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, COINCIDENT_CORNERS, ZERO_NORMAL, UPRIGHT_EDGE, BAD_ARGUMENT. */
+SURFMINK_DEF int surfmink_frame_embedded(const double *corner, const double *normal, size_t n, size_t edge,
+                                         double frame[9]);
+
+/* Eigenvectors of rank p at an edge, as unit vectors: cos(theta - phase) nu + sin(theta - phase) tau.
+   g, p, sign         as in surfmink_angles
+   phase              f_i of that edge from surfmink_phases; 0 at edge 0
+   frame     2 dim    of that edge; dim 2 from surfmink_frame_plane, 3 from surfmink_frame_embedded
+   vector    p dim    out: one after the other, n = 0 .. p-1
+   Errors: NOT_FINITE, BAD_ARGUMENT. Paper 2.4 and 3.1: eigenvectors at two edges are transports of each other. */
+SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double phase, const double *frame, int dim,
+                                       double *vector);
+
+/* --- the sphere as a surface: exp and log ------------------------------------------------------------------------- */
+
+/* log: the tangent vector at x whose length is the great-circle distance from x to y (paper 5.1).
+   x, y        3      points; only their directions count
+   vector      3      out: orthogonal to x; 0 if x and y have the same direction
+   Errors: NOT_FINITE, ZERO_NORMAL, ANTIPODAL_CORNERS, BAD_ARGUMENT (radius). */
+SURFMINK_DEF int surfmink_sphere_log(const double x[3], const double y[3], double radius, double vector[3]);
+
+/* exp: the point of the sphere reached from x along the tangent vector, whose part along x is dropped.
+   y           3      out: on the sphere of the given radius; may be the same array as x or vector
+   Errors: NOT_FINITE, ZERO_NORMAL, BAD_ARGUMENT (radius). */
+SURFMINK_DEF int surfmink_sphere_exp(const double x[3], const double vector[3], double radius, double y[3]);
+
+/* The sphere as a surface with callbacks, stride 3. *radius is read at each call and must outlive the surface. */
+SURFMINK_DEF surfmink_surface surfmink_sphere(double *radius);
+
+/* --- helpers: build, repair and convert outlines ------------------------------------------------------------------ */
+
+/* The point of the sphere at a longitude and latitude in degrees. Quadrants are exact: -180 and 180 give the same
+   point, as do all longitudes at a pole. lon in [-1e6, 1e6], lat in [-90, 90]. Errors: NOT_FINITE, BAD_ARGUMENT. */
+SURFMINK_DEF int surfmink_from_lonlat(double lon, double lat, double radius, double point[3]);
+
+/* Reverses the order of n corners (or normals) of `stride` doubles each, in place: clockwise becomes the other way. */
+SURFMINK_DEF void surfmink_reverse(double *corner, size_t n, size_t stride);
+
+/* Replaces every corner (or normal) by the mean of itself and its two neighbours, `passes` times, in place: takes the
+   staircase out of pixel outlines (paper 5.3). Every pass also shrinks outlines a little. Cost: O(n passes). */
+SURFMINK_DEF void surfmink_smooth(double *corner, size_t n, size_t stride, size_t passes);
+
+/* Drops every corner that equals the one before it (the last one: the first one), in place.
+   corner      n * stride
+   normal      3 n    kept in step; or NULL
+   returns            how many corners are left, at the front of the arrays */
+SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, size_t stride);
+
+/* Corners of a regular polygon: n points at a geodesic distance from a centre, counter-clockwise, the first in the
+   direction `angle` (radians) of the frame of the surface there.
+   corner      n * surface->stride  out
+   Errors: what exp returns, else CALLBACK_FAILED; TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT (no exp; a stride above
+   16; a distance that is not positive). Cost: 2 n calls of exp, for nothing is written before all have succeeded. */
+SURFMINK_DEF int surfmink_regular_polygon(const surfmink_surface *surface, const double *centre, double distance,
+                                          double angle, size_t n, double *corner);
+
+/* Points of the geodesic from x to y at the fractions 0, 1/m, ..., (m-1)/m of its length: edges laid end to end make
+   an outline.
+   point       m * surface->stride  out
+   Errors: what log and exp return, else CALLBACK_FAILED; BAD_ARGUMENT (m = 0, no log, no exp, a stride above 16). */
+SURFMINK_DEF int surfmink_edge_points(const surfmink_surface *surface, const double *x, const double *y, size_t m,
+                                      double *point);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* SURFMINK_H */
+
+/* ==================================================================================================================
+   Implementation: the same sections in the same order. A helper stands just above its first caller.
+   ================================================================================================================== */
+#if (defined(SURFMINK_IMPLEMENTATION) || defined(SURFMINK_STATIC)) && !defined(SURFMINK_IMPLEMENTED)
+#define SURFMINK_IMPLEMENTED
+
+#if !defined(SURFMINK_SIN) || !defined(SURFMINK_COS) || !defined(SURFMINK_ATAN2) || !defined(SURFMINK_SQRT)
+#include <math.h>
+#endif
+#ifndef SURFMINK_SIN
+#define SURFMINK_SIN sin
+#endif
+#ifndef SURFMINK_COS
+#define SURFMINK_COS cos
+#endif
+#ifndef SURFMINK_ATAN2
+#define SURFMINK_ATAN2 atan2
+#endif
+#ifndef SURFMINK_SQRT
+#define SURFMINK_SQRT sqrt
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+static const double surfmink__pi = 3.14159265358979323846;
+static const double surfmink__two_pi = 6.28318530717958647693;
+static const double surfmink__eps = 2.220446049250313e-16; /* distance from 1 to the next double */
+
+/* Corners that are summed plainly before a compensated addition, and ranks that are summed in one pass over the
+   corners: together 3 KiB of stack, which stay in the first-level cache. */
+#define SURFMINK__BLOCK 64
+#define SURFMINK__TILE  16
+
+SURFMINK_DEF const char *surfmink_strerror(int status)
+{
+    switch (status) {
+    case SURFMINK_OK: return "measured";
+    case SURFMINK_TOO_FEW_CORNERS: return "a polygon needs at least 3 corners";
+    case SURFMINK_NOT_FINITE: return "a coordinate is not a finite number";
+    case SURFMINK_COINCIDENT_CORNERS: return "two neighbouring corners coincide";
+    case SURFMINK_ZERO_NORMAL: return "a normal has no direction (on the sphere: a corner is the centre)";
+    case SURFMINK_UPRIGHT_EDGE: return "an edge runs along the normal of the surface";
+    case SURFMINK_ANTIPODAL_CORNERS: return "two neighbouring corners are antipodal: no unique edge joins them";
+    case SURFMINK_CLOCKWISE: return "the corners run clockwise (their turns sum up to less than 0)";
+    case SURFMINK_TOO_MUCH_CURVATURE: return "the enclosed curvature reaches 2 pi: no transport is defined";
+    case SURFMINK_CROSSES_ITSELF: return "the outline crosses itself";
+    case SURFMINK_CALLBACK_FAILED: return "a callback of the surface failed";
+    case SURFMINK_BAD_ARGUMENT: return "an argument is out of its range";
+    default: return "";
+    }
+}
+
+SURFMINK_DEF const char *surfmink_status_name(int status)
+{
+    switch (status) {
+    case SURFMINK_OK: return "ok";
+    case SURFMINK_TOO_FEW_CORNERS: return "too_few_corners";
+    case SURFMINK_NOT_FINITE: return "not_finite";
+    case SURFMINK_COINCIDENT_CORNERS: return "coincident_corners";
+    case SURFMINK_ZERO_NORMAL: return "zero_normal";
+    case SURFMINK_UPRIGHT_EDGE: return "upright_edge";
+    case SURFMINK_ANTIPODAL_CORNERS: return "antipodal_corners";
+    case SURFMINK_CLOCKWISE: return "clockwise";
+    case SURFMINK_TOO_MUCH_CURVATURE: return "too_much_curvature";
+    case SURFMINK_CROSSES_ITSELF: return "crosses_itself";
+    case SURFMINK_CALLBACK_FAILED: return "callback_failed";
+    case SURFMINK_BAD_ARGUMENT: return "bad_argument";
+    default: return "";
+    }
+}
+
+/* --- arithmetic that everything below stands on ------------------------------------------------------------------- */
+
+static double surfmink__abs(double x)
+{
+    return x < 0 ? -x : x;
+}
+
+/* NaN fails both comparisons. */
+static int surfmink__finite(const double *v, size_t dim)
+{
+    size_t k;
+    for (k = 0; k < dim; ++k)
+        if (!(v[k] >= -1.7976931348623157e308 && v[k] <= 1.7976931348623157e308)) return 0;
+    return 1;
+}
+
+static double surfmink__max_abs(const double *v, size_t dim)
+{
+    double m = 0;
+    size_t k;
+    for (k = 0; k < dim; ++k)
+        if (surfmink__abs(v[k]) > m) m = surfmink__abs(v[k]);
+    return m;
+}
+
+/* The power of two that brings a magnitude m > 0 into [2^-100, 2^100], where products of three factors neither overflow
+   nor underflow. It is 1 for all but absurd units, and multiplying by it is exact. */
+static double surfmink__scale(double m)
+{
+    double scale = 1;
+    while (m * scale > 1.2676506002282294e30) scale *= 6.2230152778611417e-61; /* 2^100, 2^-200 */
+    while (m * scale < 7.8886090522101181e-31) scale *= 1.6069380442589903e60; /* 2^-100, 2^200 */
+    return scale;
+}
+
+/* Copies a vector, scaled to ordinary magnitude; the scale comes back. A zero vector stays zero. */
+static double surfmink__ordinary(const double *v, size_t dim, double *out)
+{
+    double m = surfmink__max_abs(v, dim);
+    double scale = m > 0 ? surfmink__scale(m) : 1;
+    size_t k;
+    for (k = 0; k < dim; ++k) out[k] = v[k] * scale;
+    return scale;
+}
+
+static double surfmink__dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void surfmink__cross(const double a[3], const double b[3], double c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static void surfmink__sub(const double *a, const double *b, size_t dim, double *difference)
+{
+    size_t k;
+    for (k = 0; k < dim; ++k) difference[k] = a[k] - b[k];
+}
+
+/* Euclidean length of a vector of 2 or 3 components, of any magnitude. */
+static double surfmink__norm(const double *v, size_t dim)
+{
+    double u[3] = {0, 0, 0};
+    double scale = surfmink__ordinary(v, dim, u);
+    return SURFMINK_SQRT(surfmink__dot(u, u)) / scale;
+}
+
+static void surfmink__unit(const double *v, size_t dim, double *unit)
+{
+    double u[3] = {0, 0, 0}, norm;
+    size_t k;
+    surfmink__ordinary(v, dim, u);
+    norm = SURFMINK_SQRT(surfmink__dot(u, u));
+    for (k = 0; k < dim; ++k) unit[k] = u[k] / norm;
+}
+
+/* A sum that remembers what rounding took away (two-sum): its error does not grow with the number of terms. */
+typedef struct surfmink__sum {
+    double high, low;
+} surfmink__sum;
+
+static void surfmink__add(surfmink__sum *sum, double x)
+{
+    double high = sum->high + x;
+    double kept = high - sum->high;
+    sum->low += (sum->high - (high - kept)) + (x - kept);
+    sum->high = high;
+}
+
+static double surfmink__value(const surfmink__sum *sum)
+{
+    return sum->high + sum->low;
+}
+
+static int surfmink__blame(int status, size_t corner, size_t *bad)
+{
+    if (bad) *bad = corner;
+    return status;
+}
+
+/* --- 1. measure --------------------------------------------------------------------------------------------------- */
+
+/* An outline, whatever its surface: corners are measured one at a time, so that no call needs memory for all. */
+enum surfmink__kind { SURFMINK__PLANE, SURFMINK__SPHERE, SURFMINK__EMBEDDED, SURFMINK__MEASURED };
+
+typedef struct surfmink__outline {
+    const double *corner;           /* plane 2 n, sphere and embedded 3 n */
+    const double *normal;           /* embedded 3 n */
+    const double *length, *turning; /* measured n */
+    double radius, scale;           /* sphere: radius; power of two that makes corner 0 ordinary */
+    size_t n;
+    enum surfmink__kind kind;
+    int dim; /* doubles a corner */
+} surfmink__outline;
+
+static size_t surfmink__next(const surfmink__outline *o, size_t i)
+{
+    return i + 1 < o->n ? i + 1 : 0;
+}
+
+static size_t surfmink__previous(const surfmink__outline *o, size_t i)
+{
+    return i > 0 ? i - 1 : o->n - 1;
+}
+
+/* Angle from y = sine, x = cosine up to a common factor. An exact spike (within rounding) has no sign: +pi it is. */
+static double surfmink__angle(double y, double x)
+{
+    if (x < 0 && surfmink__abs(y) <= -8 * surfmink__eps * x) return surfmink__pi;
+    return SURFMINK_ATAN2(y, x);
+}
+
+/* a x b = a x (b - a), which does not cancel at nearly straight corners if a is the shorter of the two. */
+static double surfmink__turn_plane(const double in[2], const double out[2])
+{
+    double a[2], b[2], d[2], cross;
+    surfmink__ordinary(in, 2, a);
+    surfmink__ordinary(out, 2, b);
+    surfmink__sub(b, a, 2, d);
+    if (a[0] * a[0] + a[1] * a[1] <= b[0] * b[0] + b[1] * b[1])
+        cross = a[0] * d[1] - a[1] * d[0];
+    else
+        cross = d[1] * b[0] - d[0] * b[1];
+    return surfmink__angle(cross, a[0] * b[0] + a[1] * b[1]);
+}
+
+/* Turn from one edge to the next in the plane orthogonal to n: atan2(n . (in x out), in . out - (in . n)(out . n))
+   for unit n. */
+static double surfmink__turn(const double in[3], const double out[3], const double normal[3])
+{
+    double a[3], b[3], d[3], n[3], cross[3], nn;
+    surfmink__ordinary(in, 3, a);
+    surfmink__ordinary(out, 3, b);
+    surfmink__ordinary(normal, 3, n);
+    surfmink__sub(b, a, 3, d);
+    if (surfmink__dot(a, a) <= surfmink__dot(b, b)) /* as in the plane */
+        surfmink__cross(a, d, cross);
+    else
+        surfmink__cross(b, d, cross);
+    nn = surfmink__dot(n, n);
+    return surfmink__angle(SURFMINK_SQRT(nn) * surfmink__dot(n, cross),
+                           nn * surfmink__dot(a, b) - surfmink__dot(a, n) * surfmink__dot(b, n));
+}
+
+/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; again on its own if absurdly far off. */
+static double surfmink__sphere_point(const surfmink__outline *o, size_t i, double x[3])
+{
+    double m;
+    size_t k;
+    for (k = 0; k < 3; ++k) x[k] = o->corner[3 * i + k] * o->scale;
+    m = surfmink__max_abs(x, 3);
+    if (m > 0 && (m > 1.6069380442589903e60 || m < 6.2230152778611417e-61)) surfmink__ordinary(x, 3, x);
+    return SURFMINK_SQRT(surfmink__dot(x, x));
+}
+
+/* y/|y| - x/|x| without cancellation: with d = y - x and h = |y| - |x| = d.(x + y)/(|x| + |y|) it is (d - x h/|x|)/|y|.
+   Returns its length, or 0 where that is no more than what rounding left of the radial part h. */
+static double surfmink__chord(const double x[3], double x_norm, const double y[3], double y_norm, double chord[3])
+{
+    double d[3], sum[3], h, length;
+    size_t k;
+    surfmink__sub(y, x, 3, d);
+    for (k = 0; k < 3; ++k) sum[k] = x[k] + y[k];
+    h = surfmink__dot(d, sum) / (x_norm + y_norm);
+    for (k = 0; k < 3; ++k) chord[k] = (d[k] - x[k] * (h / x_norm)) / y_norm;
+    length = surfmink__norm(chord, 3);
+    return length > 8 * surfmink__eps * surfmink__abs(h / y_norm) ? length : 0;
+}
+
+/* The great-circle edge from x to y: direction at x (up to length and a part along x) and angle at the centre. Beyond
+   a right angle the sum of the unit vectors takes the place of their difference: it has the same tangential part and
+   shrinks. Corners within 8 eps of antipodal are refused: the direction of their edge would be the rounding of the
+   corners. */
+static int surfmink__arc(const double x[3], double x_norm, const double y[3], double y_norm, double direction[3],
+                         double *angle)
+{
+    double opposite[3], gap, rest;
+    size_t k;
+    int obtuse = surfmink__dot(x, y) < 0;
+    for (k = 0; k < 3; ++k) opposite[k] = obtuse ? -y[k] : y[k];
+    gap = surfmink__chord(x, x_norm, opposite, y_norm, direction);
+    if (obtuse && !(gap > 8 * surfmink__eps)) return SURFMINK_ANTIPODAL_CORNERS;
+    if (!(gap > 0)) return SURFMINK_COINCIDENT_CORNERS;
+    rest = SURFMINK_SQRT(4 - gap * gap);
+    if (obtuse)
+        for (k = 0; k < 3; ++k) direction[k] = -direction[k];
+    *angle = obtuse ? 2 * SURFMINK_ATAN2(rest, gap) : 2 * SURFMINK_ATAN2(gap, rest);
+    return SURFMINK_OK;
+}
+
+/* Is there something wrong with a corner, whatever its neighbours? */
+static int surfmink__check_corner(const surfmink__outline *o, size_t i)
+{
+    switch (o->kind) {
+    case SURFMINK__PLANE: return surfmink__finite(o->corner + 2 * i, 2) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
+    case SURFMINK__SPHERE:
+        if (!surfmink__finite(o->corner + 3 * i, 3)) return SURFMINK_NOT_FINITE;
+        return surfmink__max_abs(o->corner + 3 * i, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
+    case SURFMINK__EMBEDDED:
+        if (!surfmink__finite(o->corner + 3 * i, 3) || !surfmink__finite(o->normal + 3 * i, 3))
+            return SURFMINK_NOT_FINITE;
+        return surfmink__max_abs(o->normal + 3 * i, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
+    case SURFMINK__MEASURED:
+        if (!surfmink__finite(o->length + i, 1) || !surfmink__finite(o->turning + i, 1)) return SURFMINK_NOT_FINITE;
+        return o->length[i] >= 0 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
+    }
+    return SURFMINK_OK;
+}
+
+/* Does an edge run along a normal, so that it has no direction in the tangent plane? 1e-6 rad, in sine. */
+static int surfmink__upright(const double edge[3], const double normal[3])
+{
+    double e[3], n[3], along;
+    surfmink__ordinary(edge, 3, e);
+    surfmink__ordinary(normal, 3, n);
+    along = surfmink__dot(e, n);
+    return !(along * along < (1 - 1e-12) * surfmink__dot(e, e) * surfmink__dot(n, n));
+}
+
+/* Is there something wrong with the edge from corner i to the next? */
+static int surfmink__check_edge(const surfmink__outline *o, size_t i)
+{
+    size_t next = surfmink__next(o, i), dim = (size_t)o->dim;
+    double edge[3], x[3], y[3], x_norm, y_norm, angle;
+    if (o->kind == SURFMINK__MEASURED) return SURFMINK_OK;
+    if (o->kind == SURFMINK__SPHERE) {
+        x_norm = surfmink__sphere_point(o, i, x);
+        y_norm = surfmink__sphere_point(o, next, y);
+        return surfmink__arc(x, x_norm, y, y_norm, edge, &angle);
+    }
+    surfmink__sub(o->corner + dim * next, o->corner + dim * i, dim, edge);
+    if (!surfmink__finite(edge, dim)) return SURFMINK_NOT_FINITE;
+    if (!(surfmink__max_abs(edge, dim) > 0)) return SURFMINK_COINCIDENT_CORNERS;
+    if (o->kind == SURFMINK__EMBEDDED &&
+        (surfmink__upright(edge, o->normal + 3 * i) || surfmink__upright(edge, o->normal + 3 * next)))
+        return SURFMINK_UPRIGHT_EDGE;
+    return SURFMINK_OK;
+}
+
+/* Everything that can be said corner by corner, before anything is written. An edge is blamed on its later corner. */
+static int surfmink__check(const surfmink__outline *o, size_t *bad)
+{
+    size_t i;
+    int status;
+    if (o->n < 3) return surfmink__blame(SURFMINK_TOO_FEW_CORNERS, o->n, bad);
+    for (i = 0; i < o->n; ++i)
+        if ((status = surfmink__check_corner(o, i)) != SURFMINK_OK) return surfmink__blame(status, i, bad);
+    for (i = 0; i < o->n; ++i)
+        if ((status = surfmink__check_edge(o, i)) != SURFMINK_OK)
+            return surfmink__blame(status, i + 1 < o->n ? i + 1 : i, bad);
+    return SURFMINK_OK;
+}
+
+/* Length of edge i and turning angle at corner i of an outline that has passed surfmink__check. */
+static void surfmink__measure_corner(const surfmink__outline *o, size_t i, double *length, double *turning)
+{
+    size_t previous = surfmink__previous(o, i), next = surfmink__next(o, i), k;
+    double in[3], out[3], x[3], y[3], x_norm, y_norm, angle;
+    switch (o->kind) {
+    case SURFMINK__PLANE:
+        surfmink__sub(o->corner + 2 * i, o->corner + 2 * previous, 2, in);
+        surfmink__sub(o->corner + 2 * next, o->corner + 2 * i, 2, out);
+        *length = surfmink__norm(out, 2);
+        *turning = surfmink__turn_plane(in, out);
+        break;
+    case SURFMINK__SPHERE:
+        x_norm = surfmink__sphere_point(o, i, x);
+        y_norm = surfmink__sphere_point(o, previous, y);
+        surfmink__arc(x, x_norm, y, y_norm, in, &angle);
+        for (k = 0; k < 3; ++k) in[k] = -in[k];
+        y_norm = surfmink__sphere_point(o, next, y);
+        surfmink__arc(x, x_norm, y, y_norm, out, &angle);
+        *length = o->radius * angle;
+        *turning = surfmink__turn(in, out, x);
+        break;
+    case SURFMINK__EMBEDDED:
+        surfmink__sub(o->corner + 3 * i, o->corner + 3 * previous, 3, in);
+        surfmink__sub(o->corner + 3 * next, o->corner + 3 * i, 3, out);
+        *length = surfmink__norm(out, 3);
+        *turning = surfmink__turn(in, out, o->normal + 3 * i);
+        break;
+    case SURFMINK__MEASURED:
+        *length = o->length[i];
+        *turning = o->turning[i];
+        break;
+    }
+}
+
+static surfmink__outline surfmink__outline_of(enum surfmink__kind kind, const double *corner, const double *normal,
+                                              size_t n)
+{
+    surfmink__outline o;
+    o.kind = kind;
+    o.dim = kind == SURFMINK__PLANE ? 2 : 3;
+    o.corner = corner;
+    o.normal = normal;
+    o.length = o.turning = NULL;
+    o.radius = o.scale = 1;
+    o.n = n;
+    return o;
+}
+
+static surfmink__outline surfmink__outline_measured(const double *length, const double *turning, size_t n)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__MEASURED, NULL, NULL, n);
+    o.length = length;
+    o.turning = turning;
+    return o;
+}
+
+static int surfmink__positive(double x)
+{
+    return x > 0 && surfmink__finite(&x, 1);
+}
+
+static surfmink__outline surfmink__outline_sphere(const double *corner, size_t n, double radius)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__SPHERE, corner, NULL, n);
+    double m = n > 0 && surfmink__finite(corner, 3) ? surfmink__max_abs(corner, 3) : 0;
+    o.radius = radius;
+    o.scale = m > 0 ? surfmink__scale(m) : 1;
+    return o;
+}
+
+static int surfmink__edges(const surfmink__outline *o, double *length, double *turning, size_t *bad)
+{
+    size_t i;
+    int status = surfmink__check(o, bad);
+    if (status != SURFMINK_OK) return status;
+    for (i = 0; i < o->n; ++i) surfmink__measure_corner(o, i, length + i, turning + i);
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_edges_plane(const double *corner, size_t n, double *length, double *turning, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__PLANE, corner, NULL, n);
+    return surfmink__edges(&o, length, turning, bad);
+}
+
+SURFMINK_DEF int surfmink_edges_sphere(const double *corner, size_t n, double radius, double *length, double *turning,
+                                       size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
+    if (!surfmink__positive(radius)) return surfmink__blame(SURFMINK_BAD_ARGUMENT, n, bad);
+    return surfmink__edges(&o, length, turning, bad);
+}
+
+SURFMINK_DEF int surfmink_edges_embedded(const double *corner, const double *normal, size_t n, double *length,
+                                         double *turning, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
+    return surfmink__edges(&o, length, turning, bad);
+}
+
+/* Asks the log of a surface, and mistrusts it: its direction has to be one, and its length positive. */
+static int surfmink__log(const surfmink_surface *surface, const double *x, const double *y, double *length,
+                         double direction[2])
+{
+    int status;
+    *length = direction[0] = direction[1] = 0;
+    status = surface->log(surface->context, x, y, length, direction);
+    if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
+    if (!surfmink__finite(length, 1) || !surfmink__finite(direction, 2) || *length < 0) return SURFMINK_CALLBACK_FAILED;
+    if (!(*length > 0)) return SURFMINK_COINCIDENT_CORNERS;
+    return surfmink__max_abs(direction, 2) > 0 ? SURFMINK_OK : SURFMINK_CALLBACK_FAILED;
+}
+
+SURFMINK_DEF int surfmink_edges_surface(const surfmink_surface *surface, const double *corner, size_t n,
+                                        double *scratch, double *length, double *turning, size_t *bad)
+{
+    double in[2], out[2], back;
+    size_t i, previous, next;
+    int status;
+    if (n < 3) return surfmink__blame(SURFMINK_TOO_FEW_CORNERS, n, bad);
+    if (!surface->log || surface->stride == 0) return surfmink__blame(SURFMINK_BAD_ARGUMENT, n, bad);
+    for (i = 0; i < n; ++i) {
+        previous = i > 0 ? i - 1 : n - 1;
+        next = i + 1 < n ? i + 1 : 0;
+        status = surfmink__log(surface, corner + i * surface->stride, corner + previous * surface->stride, &back, in);
+        if (status == SURFMINK_OK)
+            status =
+                surfmink__log(surface, corner + i * surface->stride, corner + next * surface->stride, scratch + i, out);
+        if (status != SURFMINK_OK) return surfmink__blame(status, i, bad);
+        in[0] = -in[0]; /* the way back to the previous corner points against the edge that arrives */
+        in[1] = -in[1];
+        scratch[n + i] = surfmink__turn_plane(in, out);
+    }
+    for (i = 0; i < n; ++i) {
+        length[i] = scratch[i];
+        turning[i] = scratch[n + i];
+    }
+    return SURFMINK_OK;
+}
+
+/* Shoelace about corner 0, with edges as differences: a x e, where a leads from corner 0 to the edge e. */
+static double surfmink__area_plane(const surfmink__outline *o)
+{
+    surfmink__sum twice = {0, 0};
+    double a[2], e[2];
+    size_t i;
+    for (i = 1; i + 1 < o->n; ++i) {
+        surfmink__sub(o->corner + 2 * i, o->corner, 2, a);
+        surfmink__sub(o->corner + 2 * i + 2, o->corner + 2 * i, 2, e);
+        surfmink__add(&twice, a[0] * e[1] - a[1] * e[0]);
+    }
+    return surfmink__value(&twice) / 2;
+}
+
+/* Solid angle to the left of a polygon on the unit sphere, modulo 4 pi: a fan of triangles (a, b, c) from one corner
+   a. Each is 2 atan2(a.(b x c), 1 + a.b + b.c + c.a), written in differences of unit vectors b - a, c - b so that
+   small ones keep their digits. Returns 0 where a corner is opposite to the apex: a triangle with it has no definite
+   area. */
+static int surfmink__fan(const surfmink__outline *o, size_t apex, double *solid_angle)
+{
+    surfmink__sum sum = {0, 0};
+    double a[3], x[3], y[3], to_x[3], to_y[3], edge[3], cross[3], a_norm, x_norm, y_norm, across;
+    size_t i, k, at = surfmink__next(o, apex);
+    a_norm = surfmink__sphere_point(o, apex, a);
+    x_norm = surfmink__sphere_point(o, at, x);
+    surfmink__chord(a, a_norm, x, x_norm, to_x);
+    for (i = 2; i < o->n; ++i) {
+        at = surfmink__next(o, at);
+        y_norm = surfmink__sphere_point(o, at, y);
+        surfmink__chord(a, a_norm, y, y_norm, to_y);
+        surfmink__chord(x, x_norm, y, y_norm, edge);
+        if (!(surfmink__dot(to_x, to_x) < 4 - 1e-4) || !(surfmink__dot(to_y, to_y) < 4 - 1e-4)) return 0;
+        surfmink__cross(to_x, edge, cross);
+        across = 4 - (surfmink__dot(to_x, to_x) + surfmink__dot(to_y, to_y) + surfmink__dot(edge, edge)) / 2;
+        surfmink__add(&sum, 2 * SURFMINK_ATAN2(surfmink__dot(a, cross) / a_norm, across));
+        for (k = 0; k < 3; ++k) {
+            x[k] = y[k];
+            to_x[k] = to_y[k];
+        }
+        x_norm = y_norm;
+    }
+    *solid_angle = surfmink__value(&sum);
+    return 1;
+}
+
+/* The fan from the first corner that has none opposite to it. Where 16 in a row have one the outline is so large that
+   2 pi - S is as good: that is then said by 0. */
+static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
+{
+    size_t apex;
+    for (apex = 0; apex < o->n && apex < 16; ++apex)
+        if (surfmink__fan(o, apex, solid_angle)) return 1;
+    return 0;
+}
+
+/* Sums over all corners: L, S and, for the condition number and the noise, sum |alpha|. */
+static void surfmink__sums(const surfmink__outline *o, double *length, double *turning, double *turned)
+{
+    surfmink__sum l = {0, 0}, s = {0, 0}, t = {0, 0};
+    double edge, turn;
+    size_t i;
+    for (i = 0; i < o->n; ++i) {
+        surfmink__measure_corner(o, i, &edge, &turn);
+        surfmink__add(&l, edge);
+        surfmink__add(&s, turn);
+        surfmink__add(&t, surfmink__abs(turn));
+    }
+    *length = surfmink__value(&l);
+    *turning = surfmink__value(&s);
+    *turned = surfmink__value(&t);
+}
+
+/* Is S > 0, and more than rounding noise? Corners on a great circle turn by 1e-16 each: hence the second threshold. */
+static int surfmink__check_turning(double turning, double turned, size_t n)
+{
+    double noise = 1e-12 * turned, least = 4 * surfmink__eps * (double)n;
+    if (least > noise) noise = least;
+    if (turning < -noise) return SURFMINK_CLOCKWISE;
+    return turning > noise ? SURFMINK_OK : SURFMINK_TOO_MUCH_CURVATURE;
+}
+
+/* The plane encloses no curvature: S is a multiple of 2 pi whatever was drawn, and 2 pi if it is drawn right. */
+static int surfmink__judge_plane(const surfmink__outline *o, surfmink_functionals *w)
+{
+    if (w->turning < -surfmink__pi && w->turning > -3 * surfmink__pi) return SURFMINK_CLOCKWISE;
+    if (!(w->turning > surfmink__pi && w->turning < 3 * surfmink__pi)) return SURFMINK_CROSSES_ITSELF;
+    w->area = surfmink__area_plane(o);
+    w->curvature = 0;
+    return SURFMINK_OK;
+}
+
+/* On the sphere S + solid angle is a multiple of 2 pi whatever was drawn, an odd one if the outline can be drawn
+   without crossings; the fan knows the solid angle modulo 4 pi, and 2 pi - S which of them is meant. It should lie in
+   [0, 4 pi]: that finds loops that wind three times. The slack of 1 is for digitised outlines with a hairpin whose
+   two sides overlap. */
+static int surfmink__judge_sphere(const surfmink__outline *o, double turned, surfmink_functionals *w)
+{
+    double solid_angle, windings;
+    int status, k = 0;
+    if (surfmink__solid_angle(o, &solid_angle)) {
+        windings = (w->turning + solid_angle) / surfmink__two_pi;
+        while (k < windings - 0.5) ++k; /* nearest integer, without a libm call */
+        while (k > windings + 0.5) --k;
+        if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
+        solid_angle += (1 - k) * surfmink__two_pi;
+        if (solid_angle < -1 || solid_angle > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
+    } else {
+        solid_angle = surfmink__two_pi - w->turning;
+    }
+    status = surfmink__check_turning(w->turning, turned, o->n);
+    if (status != SURFMINK_OK) return status;
+    w->area = solid_angle * o->radius * o->radius;
+    w->curvature = solid_angle;
+    return SURFMINK_OK;
+}
+
+/* The Minkowski functionals of an outline that has passed surfmink__check, or what is wrong with it as a whole. */
+static int surfmink__functionals(const surfmink__outline *o, surfmink_functionals *w)
+{
+    double turned;
+    int status;
+    surfmink__sums(o, &w->length, &w->turning, &turned);
+    if (!surfmink__finite(&w->length, 1)) return SURFMINK_NOT_FINITE;
+    if (!(w->length > 0)) return SURFMINK_BAD_ARGUMENT;
+    w->area = 0;
+    w->curvature = surfmink__two_pi - w->turning;
+    if (o->kind == SURFMINK__PLANE)
+        status = surfmink__judge_plane(o, w);
+    else if (o->kind == SURFMINK__SPHERE)
+        status = surfmink__judge_sphere(o, turned, w);
+    else
+        status = surfmink__check_turning(w->turning, turned, o->n);
+    w->condition = turned / w->turning;
+    return status;
+}
+
+SURFMINK_DEF int surfmink_total(const double *length, const double *turning, size_t n, surfmink_functionals *w)
+{
+    surfmink__outline o = surfmink__outline_measured(length, turning, n);
+    surfmink_functionals total = {0, 0, 0, 0, 0};
+    int status = surfmink__check(&o, NULL);
+    if (status == SURFMINK_OK) status = surfmink__functionals(&o, &total);
+    if (status == SURFMINK_OK) *w = total;
+    return status;
+}
+
+SURFMINK_DEF int surfmink_area_plane(const double *corner, size_t n, double *area)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__PLANE, corner, NULL, n);
+    if (n < 3) return SURFMINK_TOO_FEW_CORNERS;
+    if (!surfmink__finite(corner, 2 * n)) return SURFMINK_NOT_FINITE;
+    *area = surfmink__area_plane(&o);
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double radius, double *area)
+{
+    surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
+    double solid_angle, length, turning, turned;
+    int status;
+    if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
+    status = surfmink__check(&o, NULL);
+    if (status != SURFMINK_OK) return status;
+    if (!surfmink__solid_angle(&o, &solid_angle)) {
+        surfmink__sums(&o, &length, &turning, &turned);
+        solid_angle = surfmink__two_pi - turning;
+    }
+    while (solid_angle > surfmink__two_pi) solid_angle -= 2 * surfmink__two_pi;
+    while (solid_angle <= -surfmink__two_pi) solid_angle += 2 * surfmink__two_pi;
+    *area = solid_angle * radius * radius;
+    return SURFMINK_OK;
+}
+
+/* --- 2. transport ------------------------------------------------------------------------------------------------- */
+
+/* What a transport multiplies the turn with: f, phi or eta = f - phi (paper 2.3). */
+static int surfmink__factor(const double *turning, size_t n, int transport, double *factor)
+{
+    surfmink__sum total = {0, 0}, turned = {0, 0};
+    double s;
+    size_t i;
+    int status;
+    if (n < 3) return SURFMINK_TOO_FEW_CORNERS;
+    if (!surfmink__finite(turning, n)) return SURFMINK_NOT_FINITE;
+    *factor = 1;
+    if (transport == SURFMINK_PARALLEL) return SURFMINK_OK;
+    if (transport != SURFMINK_CORRECTED && transport != SURFMINK_DEFECT) return SURFMINK_BAD_ARGUMENT;
+    for (i = 0; i < n; ++i) {
+        surfmink__add(&total, turning[i]);
+        surfmink__add(&turned, surfmink__abs(turning[i]));
+    }
+    s = surfmink__value(&total);
+    status = surfmink__check_turning(s, surfmink__value(&turned), n);
+    if (status != SURFMINK_OK) return status;
+    *factor = transport == SURFMINK_CORRECTED ? surfmink__two_pi / s : (surfmink__two_pi - s) / s;
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_phases(const double *turning, size_t n, int transport, double *phase)
+{
+    surfmink__sum turned = {0, 0};
+    double factor;
+    size_t i;
+    int status = surfmink__factor(turning, n, transport, &factor);
+    if (status != SURFMINK_OK) return status;
+    phase[0] = 0;
+    for (i = 1; i < n; ++i) {
+        surfmink__add(&turned, turning[i]); /* read before write: phase may be turning */
+        phase[i] = factor * surfmink__value(&turned);
+    }
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_transport_angle(const double *turning, size_t n, size_t from, ptrdiff_t steps, int transport,
+                                          double angle, double *carried)
+{
+    surfmink__sum turned = {0, 0};
+    double factor;
+    size_t edge = from;
+    int status = surfmink__factor(turning, n, transport, &factor);
+    if (status != SURFMINK_OK) return status;
+    if (from >= n || !surfmink__finite(&angle, 1)) return SURFMINK_BAD_ARGUMENT;
+    for (; steps > 0; --steps) { /* past corner i+1, where the frame of the edge turns to the left */
+        edge = edge + 1 < n ? edge + 1 : 0;
+        surfmink__add(&turned, turning[edge]);
+    }
+    for (; steps < 0; ++steps) {
+        surfmink__add(&turned, -turning[edge]);
+        edge = edge > 0 ? edge - 1 : n - 1;
+    }
+    *carried = angle - factor * surfmink__value(&turned);
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_transport_vector(const double *corner, const double *normal, const double *turning, size_t n,
+                                           size_t from, ptrdiff_t steps, int transport, const double vector[3],
+                                           double carried[3])
+{
+    double start[9], end[9], angle, along_nu, along_tau, cosine, sine;
+    ptrdiff_t left;
+    size_t to, k;
+    int status = surfmink_transport_angle(turning, n, from, steps, transport, 0, &angle);
+    if (status != SURFMINK_OK) return status;
+    left = steps % (ptrdiff_t)n;
+    to = left >= 0 ? from + (size_t)left : from + n - (size_t)-left;
+    to = to < n ? to : to - n;
+    if (!surfmink__finite(vector, 3)) return SURFMINK_NOT_FINITE;
+    if ((status = surfmink_frame_embedded(corner, normal, n, from, start)) != SURFMINK_OK) return status;
+    if ((status = surfmink_frame_embedded(corner, normal, n, to, end)) != SURFMINK_OK) return status;
+    along_nu = surfmink__dot(vector, start);
+    along_tau = surfmink__dot(vector, start + 3);
+    cosine = SURFMINK_COS(angle);
+    sine = SURFMINK_SIN(angle);
+    for (k = 0; k < 3; ++k)
+        carried[k] =
+            (cosine * along_nu - sine * along_tau) * end[k] + (sine * along_nu + cosine * along_tau) * end[3 + k];
+    return SURFMINK_OK;
+}
+
+/* --- 3. integrate ------------------------------------------------------------------------------------------------- */
+
+/* What is integrated: the edges of an outline from the fiducial point on. Edge `first` is split there, at a fraction of
+   its length; its front part comes last, one full turn later. */
+typedef struct surfmink__curve {
+    const surfmink__outline *outline;
+    const double *phase; /* f_i, or NULL: factor times the sum of the turns */
+    double factor, fraction;
+    size_t first;
+} surfmink__curve;
+
+/* One block of edges: w = l z^p for the rank p in hand, and z = exp(i f). */
+typedef struct surfmink__block {
+    double w_re[SURFMINK__BLOCK], w_im[SURFMINK__BLOCK], z_re[SURFMINK__BLOCK], z_im[SURFMINK__BLOCK];
+    size_t count;
+} surfmink__block;
+
+/* z^p by repeated squaring. */
+static void surfmink__power(double z_re, double z_im, int p, double *re, double *im)
+{
+    double t;
+    *re = 1;
+    *im = 0;
+    for (; p > 0; p /= 2) {
+        if (p % 2) {
+            t = *re * z_re - *im * z_im;
+            *im = *re * z_im + *im * z_re;
+            *re = t;
+        }
+        t = z_re * z_re - z_im * z_im;
+        z_im = 2 * z_re * z_im;
+        z_re = t;
+    }
+}
+
+/* Fills a block with the edges from number `start` of the curve on; `turned` is carried from block to block. */
+static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count, int rank, surfmink__sum *turned,
+                           surfmink__block *b)
+{
+    const surfmink__outline *o = c->outline;
+    double length, turning, phase, re, im;
+    size_t j, k, i;
+    for (j = 0; j < count; ++j) {
+        k = start + j; /* edges passed since the fiducial point */
+        i = c->first + k < o->n ? c->first + k : c->first + k - o->n;
+        surfmink__measure_corner(o, i, &length, &turning);
+        if (k > 0) surfmink__add(turned, turning);
+        if (k == 0) length *= 1 - c->fraction;
+        if (k == o->n) length *= c->fraction;
+        phase = c->phase ? c->phase[i] : c->factor * surfmink__value(turned);
+        b->z_re[j] = SURFMINK_COS(phase);
+        b->z_im[j] = SURFMINK_SIN(phase);
+        surfmink__power(b->z_re[j], b->z_im[j], rank, &re, &im);
+        b->w_re[j] = length * re;
+        b->w_im[j] = length * im;
+    }
+    b->count = count;
+}
+
+/* Adds g_p of a block to the sum and moves the block on to the next rank: w becomes w z. */
+static void surfmink__add_rank(surfmink__block *b, surfmink__sum *g_re, surfmink__sum *g_im)
+{
+    double re = 0, im = 0, t;
+    size_t j;
+    for (j = 0; j < b->count; ++j) {
+        re += b->w_re[j];
+        im += b->w_im[j];
+        t = b->w_re[j] * b->z_re[j] - b->w_im[j] * b->z_im[j];
+        b->w_im[j] = b->w_re[j] * b->z_im[j] + b->w_im[j] * b->z_re[j];
+        b->w_re[j] = t;
+    }
+    surfmink__add(g_re, re);
+    surfmink__add(g_im, im);
+}
+
+static double surfmink__modulus(double re, double im)
+{
+    double v[2];
+    v[0] = re;
+    v[1] = im;
+    return surfmink__norm(v, 2);
+}
+
+/* g_p = sum l_i exp(i p f_i) and mu_p = |g_p| / L for p = 0..P, a tile of ranks at a time. */
+static void surfmink__integrate(const surfmink__curve *c, double length, int max_rank, double *mu, double *g)
+{
+    surfmink__block block;
+    surfmink__sum sum[2 * SURFMINK__TILE], turned;
+    size_t count = c->outline->n + (c->fraction > 0 ? 1 : 0), start, size;
+    double re, im;
+    int first, p, ranks;
+    for (first = 0; first <= max_rank; first += ranks) {
+        ranks = max_rank - first < SURFMINK__TILE ? max_rank - first + 1 : SURFMINK__TILE;
+        turned.high = turned.low = 0;
+        for (p = 0; p < 2 * ranks; ++p) sum[p].high = sum[p].low = 0;
+        for (start = 0; start < count; start += size) {
+            size = count - start < SURFMINK__BLOCK ? count - start : SURFMINK__BLOCK;
+            surfmink__fill(c, start, size, first, &turned, &block);
+            for (p = 0; p < ranks; ++p) surfmink__add_rank(&block, sum + 2 * p, sum + 2 * p + 1);
+        }
+        for (p = 0; p < ranks; ++p) {
+            re = surfmink__value(sum + 2 * p);
+            im = surfmink__value(sum + 2 * p + 1);
+            if (g) {
+                g[2 * (first + p)] = re;
+                g[2 * (first + p) + 1] = im;
+            }
+            if (mu) mu[first + p] = surfmink__modulus(re / length, im / length);
+        }
+    }
+}
+
+static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double factor)
+{
+    surfmink__curve c;
+    c.outline = o;
+    c.phase = NULL;
+    c.factor = factor;
+    c.fraction = 0;
+    c.first = 0;
+    return c;
+}
+
+SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase, size_t n, int max_rank, double *g)
+{
+    surfmink__outline o = surfmink__outline_measured(length, phase, n);
+    surfmink__curve c = surfmink__curve_of(&o, 1);
+    int status = max_rank >= 0 ? surfmink__check(&o, NULL) : SURFMINK_BAD_ARGUMENT;
+    if (status != SURFMINK_OK) return status;
+    c.phase = phase;
+    surfmink__integrate(&c, 1, max_rank, NULL, g);
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const double *turning, size_t n, size_t edge,
+                                               double fraction, int max_rank, double *g)
+{
+    surfmink__outline o = surfmink__outline_measured(length, turning, n);
+    surfmink__curve c = surfmink__curve_of(&o, 1);
+    int status = max_rank >= 0 && fraction >= 0 && fraction < 1 ? surfmink__check(&o, NULL) : SURFMINK_BAD_ARGUMENT;
+    if (status != SURFMINK_OK) return status;
+    if (edge >= n) return SURFMINK_BAD_ARGUMENT;
+    c.first = edge;
+    c.fraction = fraction;
+    surfmink__integrate(&c, 1, max_rank, NULL, g);
+    return SURFMINK_OK;
+}
+
+/* Real part of (-i)^j (re + i im): what j indices along tau instead of nu make of a component. */
+static double surfmink__along_tau(double re, double im, int j)
+{
+    switch (j % 4) {
+    case 0: return re;
+    case 1: return im;
+    case 2: return -re;
+    default: return -im;
+    }
+}
+
+static double surfmink__half_to(int p)
+{
+    double power = 1;
+    while (p-- > 0) power /= 2;
+    return power;
+}
+
+/* cos^(p-j) f sin^j f = 2^-p (-i)^j sum_k K_k(j) exp(i (p - 2k) f), with Krawtchouk's polynomials K_k(j), the
+   coefficients of (1 + x)^(p-j) (1 - x)^j. They are symmetric, K_(p-k) = (-1)^j K_k: the first half, where their
+   recurrence is stable, suffices. */
+SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor)
+{
+    double last, krawtchouk, next, sum;
+    int j, k;
+    if (p < 0 || p > 1000) return SURFMINK_BAD_ARGUMENT;
+    for (j = 0; j <= p; ++j) {
+        last = 0;
+        krawtchouk = surfmink__half_to(p);
+        sum = 0;
+        for (k = 0; 2 * k < p; ++k) {
+            sum += 2 * krawtchouk * surfmink__along_tau(g[2 * (p - 2 * k)], g[2 * (p - 2 * k) + 1], j);
+            next = ((p - 2 * j) * krawtchouk - (p - k + 1) * last) / (k + 1);
+            last = krawtchouk;
+            krawtchouk = next;
+        }
+        if (p % 2 == 0) sum += krawtchouk * surfmink__along_tau(g[0], g[1], j);
+        tensor[j] = sum;
+    }
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_trace_free(const double *g, int p, double *tensor)
+{
+    double half;
+    int j;
+    if (p < 0 || p > 1000) return SURFMINK_BAD_ARGUMENT;
+    half = surfmink__half_to(p - 1);
+    for (j = 0; j <= p; ++j) tensor[j] = half * surfmink__along_tau(g[2 * p], g[2 * p + 1], j);
+    return SURFMINK_OK;
+}
+
+/* Each contraction with the vector turns neighbours t_j, t_(j+1) into v_0 t_j + v_1 t_(j+1); p - 1 of them give
+   binomial sums. */
+SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vector[2], double contracted[2])
+{
+    surfmink__sum sum[2] = {{0, 0}, {0, 0}};
+    double term, first, second;
+    int j, k;
+    if (p < 1 || p > 1000) return SURFMINK_BAD_ARGUMENT;
+    for (j = 0; j < p; ++j) {
+        term = 1;
+        for (k = 1; k <= j; ++k) term *= (double)(p - k) / k * vector[1]; /* C(p-1, j) v_1^j */
+        for (k = j; k < p - 1; ++k) term *= vector[0];
+        surfmink__add(sum, term * tensor[j]);
+        surfmink__add(sum + 1, term * tensor[j + 1]);
+    }
+    first = surfmink__value(sum);
+    second = surfmink__value(sum + 1);
+    contracted[0] = first;
+    contracted[1] = second;
+    return SURFMINK_OK;
+}
+
+/* --- 4. spectrum -------------------------------------------------------------------------------------------------- */
+
+SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
+{
+    int p;
+    if (max_rank < 0) return SURFMINK_BAD_ARGUMENT;
+    if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
+    if (!(g[0] > 0)) return SURFMINK_BAD_ARGUMENT;
+    for (p = 0; p <= max_rank; ++p) {
+        if (lambda) lambda[p] = surfmink__modulus(g[2 * p], g[2 * p + 1]);
+        if (mu) mu[p] = surfmink__modulus(g[2 * p] / g[0], g[2 * p + 1] / g[0]);
+        if (theta) theta[p] = p > 0 ? SURFMINK_ATAN2(g[2 * p + 1], g[2 * p]) / p : 0;
+    }
+    return SURFMINK_OK;
+}
+
+static double surfmink__theta(const double *g, int p, int sign, int n)
+{
+    double half_turns = sign >= 0 ? 2.0 * n : 2.0 * n + 1;
+    return (SURFMINK_ATAN2(g[2 * p + 1], g[2 * p]) + half_turns * surfmink__pi) / p;
+}
+
+SURFMINK_DEF int surfmink_angles(const double *g, int p, int sign, double *theta)
+{
+    int n;
+    if (p < 1) return SURFMINK_BAD_ARGUMENT;
+    if (!surfmink__finite(g + 2 * p, 2)) return SURFMINK_NOT_FINITE;
+    for (n = 0; n < p; ++n) theta[n] = surfmink__theta(g, p, sign, n);
+    return SURFMINK_OK;
+}
+
+/* What is wrong with one edge, asked about it alone. */
+static int surfmink__check_one(const surfmink__outline *o, size_t edge)
+{
+    int status;
+    if (o->n < 3) return SURFMINK_TOO_FEW_CORNERS;
+    if (edge >= o->n) return SURFMINK_BAD_ARGUMENT;
+    if ((status = surfmink__check_corner(o, edge)) != SURFMINK_OK) return status;
+    if ((status = surfmink__check_corner(o, surfmink__next(o, edge))) != SURFMINK_OK) return status;
+    return surfmink__check_edge(o, edge);
+}
+
+SURFMINK_DEF int surfmink_frame_plane(const double *corner, size_t n, size_t edge, double frame[4])
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__PLANE, corner, NULL, n);
+    double along[2];
+    int status = surfmink__check_one(&o, edge);
+    if (status != SURFMINK_OK) return status;
+    surfmink__sub(corner + 2 * surfmink__next(&o, edge), corner + 2 * edge, 2, along);
+    surfmink__unit(along, 2, frame + 2);
+    frame[0] = frame[3]; /* nu is tau turned to the right, out of a counter-clockwise polygon */
+    frame[1] = -frame[2];
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_frame_embedded(const double *corner, const double *normal, size_t n, size_t edge,
+                                         double frame[9])
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
+    double along[3], tau[3], a[3], b[3], mean[3], part;
+    size_t next, k;
+    int status = surfmink__check_one(&o, edge);
+    if (status != SURFMINK_OK) return status;
+    next = surfmink__next(&o, edge);
+    surfmink__sub(corner + 3 * next, corner + 3 * edge, 3, along);
+    surfmink__unit(along, 3, tau);
+    surfmink__unit(normal + 3 * edge, 3, a);
+    surfmink__unit(normal + 3 * next, 3, b);
+    for (k = 0; k < 3; ++k) mean[k] = a[k] + b[k];
+    part = surfmink__dot(mean, tau);
+    for (k = 0; k < 3; ++k) mean[k] -= part * tau[k];
+    if (!(surfmink__max_abs(mean, 3) > 1e-6)) return SURFMINK_ZERO_NORMAL; /* the two normals are opposite */
+    surfmink__unit(mean, 3, frame + 6);
+    for (k = 0; k < 3; ++k) frame[3 + k] = tau[k];
+    surfmink__cross(frame + 3, frame + 6, frame); /* nu = tau x normal */
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double phase, const double *frame, int dim,
+                                       double *vector)
+{
+    double theta, cosine, sine;
+    int n, k;
+    if (p < 1 || dim < 2 || dim > 3) return SURFMINK_BAD_ARGUMENT;
+    if (!surfmink__finite(g + 2 * p, 2) || !surfmink__finite(&phase, 1) || !surfmink__finite(frame, 2 * (size_t)dim))
+        return SURFMINK_NOT_FINITE;
+    for (n = 0; n < p; ++n) {
+        theta = surfmink__theta(g, p, sign, n) - phase;
+        cosine = SURFMINK_COS(theta);
+        sine = SURFMINK_SIN(theta);
+        for (k = 0; k < dim; ++k) vector[n * dim + k] = cosine * frame[k] + sine * frame[dim + k];
+    }
+    return SURFMINK_OK;
+}
+
+/* --- the easy door ------------------------------------------------------------------------------------------------ */
+
+/* Twice over the corners: once for S, which every phase needs, once for the components. Nothing is written before
+   the second. */
+static int surfmink__measure(const surfmink__outline *o, int max_rank, double *mu, double *g, surfmink_functionals *w,
+                             size_t *bad)
+{
+    surfmink_functionals total;
+    surfmink__curve c;
+    int status;
+    if (max_rank < 0) return surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
+    if ((status = surfmink__check(o, bad)) != SURFMINK_OK) return status;
+    if ((status = surfmink__functionals(o, &total)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
+    c = surfmink__curve_of(o, surfmink__two_pi / total.turning);
+    if (mu || g) surfmink__integrate(&c, total.length, max_rank, mu, g);
+    if (w) *w = total;
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_measure_plane(const double *corner, size_t n, int max_rank, double *mu, double *g,
+                                        surfmink_functionals *w, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__PLANE, corner, NULL, n);
+    return surfmink__measure(&o, max_rank, mu, g, w, bad);
+}
+
+SURFMINK_DEF int surfmink_measure_sphere(const double *corner, size_t n, double radius, int max_rank, double *mu,
+                                         double *g, surfmink_functionals *w, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
+    if (!surfmink__positive(radius)) return surfmink__blame(SURFMINK_BAD_ARGUMENT, n, bad);
+    return surfmink__measure(&o, max_rank, mu, g, w, bad);
+}
+
+SURFMINK_DEF int surfmink_measure_embedded(const double *corner, const double *normal, size_t n, int max_rank,
+                                           double *mu, double *g, surfmink_functionals *w, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
+    return surfmink__measure(&o, max_rank, mu, g, w, bad);
+}
+
+SURFMINK_DEF int surfmink_measure_surface(const surfmink_surface *surface, const double *corner, size_t n,
+                                          double *scratch, int max_rank, double *mu, double *g, surfmink_functionals *w,
+                                          size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_measured(scratch, scratch + n, n);
+    int status = surfmink_edges_surface(surface, corner, n, scratch, scratch, scratch + n, bad);
+    return status == SURFMINK_OK ? surfmink__measure(&o, max_rank, mu, g, w, bad) : status;
+}
+
+/* --- the sphere as a surface -------------------------------------------------------------------------------------- */
+
+SURFMINK_DEF int surfmink_sphere_log(const double x[3], const double y[3], double radius, double vector[3])
+{
+    surfmink__outline o;
+    double a[3], b[3], direction[3], tangent[3], a_norm, b_norm, angle, part;
+    double pair[6];
+    size_t k;
+    int status;
+    for (k = 0; k < 3; ++k) {
+        pair[k] = x[k];
+        pair[3 + k] = y[k];
+    }
+    if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
+    o = surfmink__outline_sphere(pair, 2, radius);
+    if ((status = surfmink__check_corner(&o, 0)) != SURFMINK_OK) return status;
+    if ((status = surfmink__check_corner(&o, 1)) != SURFMINK_OK) return status;
+    a_norm = surfmink__sphere_point(&o, 0, a);
+    b_norm = surfmink__sphere_point(&o, 1, b);
+    status = surfmink__arc(a, a_norm, b, b_norm, direction, &angle);
+    if (status == SURFMINK_COINCIDENT_CORNERS) {
+        vector[0] = vector[1] = vector[2] = 0;
+        return SURFMINK_OK;
+    }
+    if (status != SURFMINK_OK) return status;
+    part = surfmink__dot(direction, a) / (a_norm * a_norm);
+    for (k = 0; k < 3; ++k) direction[k] -= part * a[k];
+    surfmink__unit(direction, 3, tangent);
+    for (k = 0; k < 3; ++k) vector[k] = radius * angle * tangent[k];
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_sphere_exp(const double x[3], const double vector[3], double radius, double y[3])
+{
+    double unit[3], v[3], tangent[3], length, part, cosine, sine;
+    size_t k;
+    if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
+    if (!surfmink__finite(x, 3) || !surfmink__finite(vector, 3)) return SURFMINK_NOT_FINITE;
+    if (!(surfmink__max_abs(x, 3) > 0)) return SURFMINK_ZERO_NORMAL;
+    surfmink__unit(x, 3, unit);
+    part = surfmink__dot(vector, unit);
+    for (k = 0; k < 3; ++k) v[k] = vector[k] - part * unit[k];
+    length = surfmink__norm(v, 3);
+    tangent[0] = tangent[1] = tangent[2] = 0;
+    if (length > 0) surfmink__unit(v, 3, tangent);
+    cosine = SURFMINK_COS(length / radius);
+    sine = SURFMINK_SIN(length / radius);
+    for (k = 0; k < 3; ++k) y[k] = radius * (cosine * unit[k] + sine * tangent[k]);
+    return SURFMINK_OK;
+}
+
+/* An oriented orthonormal frame at x, the same each time: e1 = axis x n for the axis farthest from x, e2 = n x e1. */
+static void surfmink__sphere_frame(const double *x, double e1[3], double e2[3])
+{
+    double n[3], axis[3] = {0, 0, 0}, c[3];
+    size_t k, far = 0;
+    surfmink__unit(x, 3, n);
+    for (k = 1; k < 3; ++k)
+        if (surfmink__abs(n[k]) < surfmink__abs(n[far])) far = k;
+    axis[far] = 1;
+    surfmink__cross(axis, n, c);
+    surfmink__unit(c, 3, e1);
+    surfmink__cross(n, e1, e2);
+}
+
+static int surfmink__sphere_log(void *context, const double *x, const double *y, double *length, double direction[2])
+{
+    const double *radius = (const double *)context;
+    double vector[3], e1[3], e2[3];
+    int status = surfmink_sphere_log(x, y, *radius, vector);
+    if (status != SURFMINK_OK) return status;
+    surfmink__sphere_frame(x, e1, e2);
+    *length = surfmink__norm(vector, 3);
+    direction[0] = surfmink__dot(vector, e1);
+    direction[1] = surfmink__dot(vector, e2);
+    return *length > 0 ? SURFMINK_OK : SURFMINK_COINCIDENT_CORNERS;
+}
+
+static int surfmink__sphere_exp(void *context, const double *x, const double direction[2], double length, double *y)
+{
+    const double *radius = (const double *)context;
+    double vector[3], e1[3], e2[3];
+    size_t k;
+    if (!surfmink__finite(x, 3)) return SURFMINK_NOT_FINITE;
+    if (!(surfmink__max_abs(x, 3) > 0)) return SURFMINK_ZERO_NORMAL;
+    surfmink__sphere_frame(x, e1, e2);
+    for (k = 0; k < 3; ++k) vector[k] = length * (direction[0] * e1[k] + direction[1] * e2[k]);
+    return surfmink_sphere_exp(x, vector, *radius, y);
+}
+
+SURFMINK_DEF surfmink_surface surfmink_sphere(double *radius)
+{
+    surfmink_surface surface;
+    surface.context = radius;
+    surface.stride = 3;
+    surface.log = surfmink__sphere_log;
+    surface.exp = surfmink__sphere_exp;
+    return surface;
+}
+
+/* --- helpers ------------------------------------------------------------------------------------------------------ */
+
+/* Cosine and sine of an angle in degrees. It is reduced to within 45 degrees of a quarter turn, which is exact, before
+   it is rounded to radians; then the quarter turns are made, which swaps and negates. */
+static void surfmink__degrees(double degrees, double *cosine, double *sine)
+{
+    long quarters = (long)(degrees / 90 + (degrees < 0 ? -0.5 : 0.5));
+    double rest = (degrees - 90.0 * (double)quarters) * (surfmink__pi / 180), swapped;
+    *cosine = SURFMINK_COS(rest);
+    *sine = SURFMINK_SIN(rest);
+    for (quarters = (quarters % 4 + 4) % 4; quarters > 0; --quarters) {
+        swapped = *cosine;
+        *cosine = -*sine;
+        *sine = swapped;
+    }
+}
+
+SURFMINK_DEF int surfmink_from_lonlat(double lon, double lat, double radius, double point[3])
+{
+    double cos_lon, sin_lon, cos_lat, sin_lat;
+    if (!surfmink__finite(&lon, 1) || !surfmink__finite(&lat, 1)) return SURFMINK_NOT_FINITE;
+    if (surfmink__abs(lon) > 1e6 || surfmink__abs(lat) > 90 || !surfmink__positive(radius))
+        return SURFMINK_BAD_ARGUMENT;
+    surfmink__degrees(lon, &cos_lon, &sin_lon);
+    surfmink__degrees(lat, &cos_lat, &sin_lat);
+    point[0] = radius * cos_lat * cos_lon;
+    point[1] = radius * cos_lat * sin_lon;
+    point[2] = radius * sin_lat;
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF void surfmink_reverse(double *corner, size_t n, size_t stride)
+{
+    size_t i, k;
+    double kept;
+    for (i = 0; i < n / 2; ++i)
+        for (k = 0; k < stride; ++k) {
+            kept = corner[i * stride + k];
+            corner[i * stride + k] = corner[(n - 1 - i) * stride + k];
+            corner[(n - 1 - i) * stride + k] = kept;
+        }
+}
+
+SURFMINK_DEF void surfmink_smooth(double *corner, size_t n, size_t stride, size_t passes)
+{
+    double previous, here, first;
+    size_t i, k;
+    if (n == 0) return;
+    for (; passes > 0; --passes)
+        for (k = 0; k < stride; ++k) {
+            previous = corner[(n - 1) * stride + k];
+            first = corner[k];
+            for (i = 0; i < n; ++i) {
+                here = corner[i * stride + k];
+                corner[i * stride + k] = (previous + here + (i + 1 < n ? corner[(i + 1) * stride + k] : first)) / 3;
+                previous = here;
+            }
+        }
+}
+
+static int surfmink__equal(const double *a, const double *b, size_t stride)
+{
+    size_t k;
+    for (k = 0; k < stride; ++k)
+        if (a[k] < b[k] || a[k] > b[k]) return 0;
+    return 1;
+}
+
+SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, size_t stride)
+{
+    size_t i, k, kept = 0;
+    for (i = 0; i < n; ++i) {
+        if (kept > 0 && surfmink__equal(corner + i * stride, corner + (kept - 1) * stride, stride)) continue;
+        for (k = 0; k < stride; ++k) corner[kept * stride + k] = corner[i * stride + k];
+        if (normal)
+            for (k = 0; k < 3; ++k) normal[3 * kept + k] = normal[3 * i + k];
+        ++kept;
+    }
+    while (kept > 1 && surfmink__equal(corner, corner + (kept - 1) * stride, stride)) --kept;
+    return kept;
+}
+
+/* Corners of at most this many doubles can be tried out on the stack before anything is written. */
+#define SURFMINK__STRIDE 16
+
+static int surfmink__exp(const surfmink_surface *surface, const double *x, const double direction[2], double length,
+                         double *y)
+{
+    int status = surface->exp(surface->context, x, direction, length, y);
+    if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
+    return surfmink__finite(y, surface->stride) ? SURFMINK_OK : SURFMINK_CALLBACK_FAILED;
+}
+
+SURFMINK_DEF int surfmink_regular_polygon(const surfmink_surface *surface, const double *centre, double distance,
+                                          double angle, size_t n, double *corner)
+{
+    double trial[SURFMINK__STRIDE], direction[2], turn;
+    size_t i;
+    int status, pass;
+    if (n < 3) return SURFMINK_TOO_FEW_CORNERS;
+    if (!surfmink__finite(&angle, 1)) return SURFMINK_NOT_FINITE;
+    if (!surface->exp || surface->stride == 0 || surface->stride > SURFMINK__STRIDE || !surfmink__positive(distance))
+        return SURFMINK_BAD_ARGUMENT;
+    for (pass = 0; pass < 2; ++pass) /* first into the trial, then, when all is well, into the polygon */
+        for (i = 0; i < n; ++i) {
+            turn = angle + surfmink__two_pi * (double)i / (double)n;
+            direction[0] = SURFMINK_COS(turn);
+            direction[1] = SURFMINK_SIN(turn);
+            status = surfmink__exp(surface, centre, direction, distance, pass ? corner + i * surface->stride : trial);
+            if (status != SURFMINK_OK) return status;
+        }
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_edge_points(const surfmink_surface *surface, const double *x, const double *y, size_t m,
+                                      double *point)
+{
+    double trial[SURFMINK__STRIDE], direction[2], unit[2], length;
+    size_t i, k;
+    int status, pass;
+    if (m == 0 || !surface->log || !surface->exp || surface->stride == 0 || surface->stride > SURFMINK__STRIDE)
+        return SURFMINK_BAD_ARGUMENT;
+    if ((status = surfmink__log(surface, x, y, &length, direction)) != SURFMINK_OK) return status;
+    surfmink__unit(direction, 2, unit);
+    for (pass = 0; pass < 2; ++pass)
+        for (i = 1; i < m; ++i) {
+            status = surfmink__exp(surface, x, unit, length * (double)i / (double)m,
+                                   pass ? point + i * surface->stride : trial);
+            if (status != SURFMINK_OK) return status;
+        }
+    for (k = 0; k < surface->stride; ++k) point[k] = x[k];
+    return SURFMINK_OK;
+}
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* SURFMINK_IMPLEMENTATION */
+
+/* LICENSE: this software is available under two licenses; choose whichever you prefer.
+   ------------------------------------------------------------------------------
+   ALTERNATIVE A - MIT License
+   Copyright (c) 2026 the surfmink authors
+   Permission is hereby granted, free of charge, to any person obtaining a copy of
+   this software and associated documentation files (the "Software"), to deal in
+   the Software without restriction, including without limitation the rights to
+   use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies
+   of the Software, and to permit persons to whom the Software is furnished to do
+   so, subject to the following conditions:
+   The above copyright notice and this permission notice shall be included in all
+   copies or substantial portions of the Software.
+   THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+   IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+   FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+   AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+   LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+   OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+   SOFTWARE.
+   ------------------------------------------------------------------------------
+   ALTERNATIVE B - Public Domain (www.unlicense.org)
+   This is free and unencumbered software released into the public domain.
+   Anyone is free to copy, modify, publish, use, compile, sell, or distribute this
+   software, either in source code form or as a compiled binary, for any purpose,
+   commercial or non-commercial, and by any means.
+   In jurisdictions that recognize copyright laws, the author or authors of this
+   software dedicate any and all copyright interest in the software to the public
+   domain. We make this dedication for the benefit of the public at large and to
+   the detriment of our heirs and successors. We intend this dedication to be an
+   overt act of relinquishment in perpetuity of all present and future rights to
+   this software under copyright law.
+   THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+   IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+   FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+   AUTHORS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN
+   ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION
+   WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+   ------------------------------------------------------------------------------ */
