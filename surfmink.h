@@ -222,7 +222,8 @@ SURFMINK_DEF int surfmink_total(const double *length, const double *turning, siz
 SURFMINK_DEF int surfmink_area_plane(const double *corner, size_t n, double *area);
 
 /* W_0 on the sphere, in (-2 pi R^2, 2 pi R^2]: of the part to the left of the outline if that is the smaller one, else
-   minus that of the part to the right. A fan of triangles, relative accuracy about 1e-15 at any size.
+   minus that of the part to the right. A fan of triangles; for
+   outlines that go round most of a hemisphere 2 pi - S. Relative accuracy about 1e-15.
    Errors: TOO_FEW_CORNERS, NOT_FINITE, ZERO_NORMAL, COINCIDENT_CORNERS, ANTIPODAL_CORNERS, BAD_ARGUMENT. Cost: O(n). */
 SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double radius, double *area);
 
@@ -890,12 +891,12 @@ static double surfmink__area_plane(const surfmink__outline *o)
 
 /* Solid angle to the left of a polygon on the unit sphere, modulo 4 pi: a fan of triangles (a, b, c) from one corner
    a. Each is 2 atan2(a.(b x c), 1 + a.b + b.c + c.a), written in differences of unit vectors b - a, c - b so that
-   small ones keep their digits. Returns 0 where a corner is opposite to the apex: a triangle with it has no definite
-   area. */
-static int surfmink__fan(const surfmink__outline *o, size_t apex, double *solid_angle)
+   small ones keep their digits. Returns 0 where a corner is farther from the apex than `reach` (a chord, squared): next
+   to the point opposite to the apex triangles lose their digits, and there they have no definite area. */
+static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, double *solid_angle)
 {
     surfmink__sum sum = {0, 0};
-    double a[3], x[3], y[3], to_x[3], to_y[3], edge[3], cross[3], a_norm, x_norm, y_norm, across;
+    double a[3], x[3], y[3], to_x[3], to_y[3], edge[3], cross[3], a_norm, x_norm, y_norm, xx, yy, ee, across;
     size_t i, k, at = surfmink__next(o, apex);
     a_norm = surfmink__sphere_point(o, apex, a);
     x_norm = surfmink__sphere_point(o, at, x);
@@ -905,9 +906,17 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double *solid_
         y_norm = surfmink__sphere_point(o, at, y);
         surfmink__chord(a, a_norm, y, y_norm, to_y);
         surfmink__chord(x, x_norm, y, y_norm, edge);
-        if (!(surfmink__dot(to_x, to_x) < 4 - 1e-4) || !(surfmink__dot(to_y, to_y) < 4 - 1e-4)) return 0;
-        surfmink__cross(to_x, edge, cross);
-        across = 4 - (surfmink__dot(to_x, to_x) + surfmink__dot(to_y, to_y) + surfmink__dot(edge, edge)) / 2;
+        xx = surfmink__dot(to_x, to_x);
+        yy = surfmink__dot(to_y, to_y);
+        ee = surfmink__dot(edge, edge);
+        if (!(xx < reach) || !(yy < reach)) return 0;
+        if (ee >= xx && ee >= yy) /* three times the same vector; without the longest side it is the most accurate */
+            surfmink__cross(to_x, to_y, cross);
+        else if (yy >= xx)
+            surfmink__cross(to_x, edge, cross);
+        else
+            surfmink__cross(to_y, edge, cross);
+        across = 4 - (xx + yy + ee) / 2;
         surfmink__add(&sum, 2 * SURFMINK_ATAN2(surfmink__dot(a, cross) / a_norm, across));
         for (k = 0; k < 3; ++k) {
             x[k] = y[k];
@@ -919,14 +928,24 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double *solid_
     return 1;
 }
 
-/* The fan from the first corner that has none opposite to it. Where 16 in a row have one the outline is so large that
-   2 pi - S is as good: that is then said by 0. */
-static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
+/* A fan from one of 16 corners, evenly spaced, that sees all the others within reach; 0 if there is none. */
+static int surfmink__fan_within(const surfmink__outline *o, double reach, double *solid_angle)
 {
     size_t apex;
-    for (apex = 0; apex < o->n && apex < 16; ++apex)
-        if (surfmink__fan(o, apex, solid_angle)) return 1;
+    for (apex = 0; apex < o->n; apex += o->n / 16 + 1)
+        if (surfmink__fan(o, apex, reach, solid_angle)) return 1;
     return 0;
+}
+
+/* What a fan says of the solid angle: nothing; its value, but for large ones 2 pi - S is better; or the best there
+   is. */
+enum surfmink__fan_quality { SURFMINK__NO_FAN, SURFMINK__FAIR_FAN, SURFMINK__GOOD_FAN };
+
+static enum surfmink__fan_quality surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
+{
+    if (surfmink__fan_within(o, 3, solid_angle)) return SURFMINK__GOOD_FAN;       /* a third of a great circle */
+    if (!surfmink__fan_within(o, 4 - 1e-4, solid_angle)) return SURFMINK__NO_FAN; /* 0.01 short of the half */
+    return surfmink__abs(*solid_angle) < 1 ? SURFMINK__GOOD_FAN : SURFMINK__FAIR_FAN;
 }
 
 /* Sums over all corners: L, S and, for the condition number and the noise, sum |alpha|. */
@@ -972,22 +991,21 @@ static int surfmink__judge_plane(const surfmink__outline *o, surfmink_functional
 static int surfmink__judge_sphere(const surfmink__outline *o, double turned, surfmink_functionals *w)
 {
     double solid_angle, windings;
+    enum surfmink__fan_quality fan = surfmink__solid_angle(o, &solid_angle);
     int status, k = 0;
-    if (surfmink__solid_angle(o, &solid_angle)) {
+    w->curvature = surfmink__two_pi - w->turning;
+    if (fan != SURFMINK__NO_FAN) {
         windings = (w->turning + solid_angle) / surfmink__two_pi;
         while (k < windings - 0.5) ++k; /* nearest integer, without a libm call */
         while (k > windings + 0.5) --k;
         if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
         solid_angle += (1 - k) * surfmink__two_pi;
         if (solid_angle < -1 || solid_angle > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
-    } else {
-        solid_angle = surfmink__two_pi - w->turning;
+        if (fan == SURFMINK__GOOD_FAN) w->curvature = solid_angle;
     }
     status = surfmink__check_turning(w->turning, turned, o->n);
-    if (status != SURFMINK_OK) return status;
-    w->area = solid_angle * o->radius * o->radius;
-    w->curvature = solid_angle;
-    return SURFMINK_OK;
+    w->area = w->curvature * o->radius * o->radius;
+    return status;
 }
 
 /* The Minkowski functionals of an outline that has passed surfmink__check, or what is wrong with it as a whole. */
@@ -1037,7 +1055,7 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
     if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
     status = surfmink__check(&o, NULL);
     if (status != SURFMINK_OK) return status;
-    if (!surfmink__solid_angle(&o, &solid_angle)) {
+    if (surfmink__solid_angle(&o, &solid_angle) != SURFMINK__GOOD_FAN) {
         surfmink__sums(&o, &length, &turning, &turned);
         solid_angle = surfmink__two_pi - turning;
     }
