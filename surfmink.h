@@ -59,7 +59,7 @@
    ACCURACY
      Of L about 1e-15 relative; of S, mu_p and p theta_p a few 1e-15 for p <= 12, times the condition number
      sum |alpha_i| / S where an outline winds a lot or encloses a curvature near 2 pi; of areas about 1e-15 relative
-     at any size of the outline. tests/test_surfmink.c holds these against 50-digit reference values. Sums over many
+     at any size of the outline. tests/test_reference.c holds these against 50-digit reference values. Sums over many
      corners are compensated: outlines of 1e7 corners are as accurate as those of ten. An edge that is steeper
      than 45 degrees against the tangent plane of an embedded surface costs a factor 1/cos(slope).
      Angles use differences of corners and atan2, never arccos: cells of size 1e-9 keep all digits.
@@ -99,7 +99,7 @@ extern "C" {
 enum surfmink_status {
     SURFMINK_OK = 0,
     SURFMINK_TOO_FEW_CORNERS = 1,    /* a polygon needs at least 3 */
-    SURFMINK_NOT_FINITE = 2,         /* a NaN or an infinity, or a difference of corners that overflows */
+    SURFMINK_NOT_FINITE = 2,         /* a NaN or an infinity; or a difference, a length or an area overflows */
     SURFMINK_COINCIDENT_CORNERS = 3, /* two neighbours are the same point: surfmink_merge drops one of them */
     SURFMINK_ZERO_NORMAL = 4,        /* a normal has no direction; on the sphere: a corner is the centre */
     SURFMINK_UPRIGHT_EDGE = 5,       /* an edge runs along the normal: it has no direction in the tangent plane */
@@ -117,7 +117,7 @@ SURFMINK_DEF const char *surfmink_strerror(int status);
 /* One word for a status, for tables: "ok", "too_few_corners", ...; "" for a number that is none. */
 SURFMINK_DEF const char *surfmink_status_name(int status);
 
-/* The Minkowski functionals of an outline (paper 2.2) and what follows from them.                                */
+/* The Minkowski functionals of an outline (paper 2.2) and what follows from them. */
 typedef struct surfmink_functionals {
     double area;      /* W_0, plane and sphere; 0 where the surface does not tell it (embedded, callbacks) */
     double length;    /* W_1 = L, the sum of the edge lengths */
@@ -424,7 +424,7 @@ SURFMINK_DEF const char *surfmink_strerror(int status)
     switch (status) {
     case SURFMINK_OK: return "measured";
     case SURFMINK_TOO_FEW_CORNERS: return "a polygon needs at least 3 corners";
-    case SURFMINK_NOT_FINITE: return "a coordinate is not a finite number";
+    case SURFMINK_NOT_FINITE: return "a number is not finite";
     case SURFMINK_COINCIDENT_CORNERS: return "two neighbouring corners coincide";
     case SURFMINK_ZERO_NORMAL: return "a normal has no direction (on the sphere: a corner is the centre)";
     case SURFMINK_UPRIGHT_EDGE: return "an edge runs along the normal of the surface";
@@ -1024,8 +1024,9 @@ static int surfmink__functionals(const surfmink__outline *o, surfmink_functional
         status = surfmink__judge_sphere(o, turned, w);
     else
         status = surfmink__check_turning(w->turning, turned, o->n);
+    if (status != SURFMINK_OK) return status;
     w->condition = turned / w->turning;
-    return status;
+    return surfmink__finite(&w->area, 1) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
 }
 
 SURFMINK_DEF int surfmink_total(const double *length, const double *turning, size_t n, surfmink_functionals *w)
@@ -1041,9 +1042,12 @@ SURFMINK_DEF int surfmink_total(const double *length, const double *turning, siz
 SURFMINK_DEF int surfmink_area_plane(const double *corner, size_t n, double *area)
 {
     surfmink__outline o = surfmink__outline_of(SURFMINK__PLANE, corner, NULL, n);
+    double sum;
     if (n < 3) return SURFMINK_TOO_FEW_CORNERS;
     if (!surfmink__finite(corner, 2 * n)) return SURFMINK_NOT_FINITE;
-    *area = surfmink__area_plane(&o);
+    sum = surfmink__area_plane(&o);
+    if (!surfmink__finite(&sum, 1)) return SURFMINK_NOT_FINITE;
+    *area = sum;
     return SURFMINK_OK;
 }
 
@@ -1061,7 +1065,9 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
     }
     while (solid_angle > surfmink__two_pi) solid_angle -= 2 * surfmink__two_pi;
     while (solid_angle <= -surfmink__two_pi) solid_angle += 2 * surfmink__two_pi;
-    *area = solid_angle * radius * radius;
+    solid_angle *= radius * radius;
+    if (!surfmink__finite(&solid_angle, 1)) return SURFMINK_NOT_FINITE;
+    *area = solid_angle;
     return SURFMINK_OK;
 }
 
