@@ -291,7 +291,7 @@ SURFMINK_DEF int surfmink_trace_free(const double *g, int p, double *tensor);
    p                  1 .. 1000
    vector      2      along nu, along tau
    contracted  2      out; may be the same array as vector
-   Errors: BAD_ARGUMENT. Cost: O(p). Rounding errors grow like 2^(p/2) eps against the result: the components are an
+   Errors: BAD_ARGUMENT. Cost: O(p^2). Rounding errors grow like 2^(p/2) eps against the result: the components are an
    ill-conditioned basis at high rank, unlike g. */
 SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vector[2], double contracted[2]);
 
@@ -593,12 +593,26 @@ static double surfmink__angle(double y, double x)
     return SURFMINK_ATAN2(y, x);
 }
 
+/* Two edges, brought to ordinary magnitude together, so that results scale exactly with the unit; each on its own
+   only if one is next to nothing beside the other. */
+static void surfmink__ordinary_pair(const double *in, const double *out, size_t dim, double *a, double *b)
+{
+    double in_size = surfmink__max_abs(in, dim), out_size = surfmink__max_abs(out, dim), scale;
+    size_t k;
+    scale = surfmink__scale(in_size > out_size ? in_size : out_size);
+    for (k = 0; k < dim; ++k) {
+        a[k] = in[k] * scale;
+        b[k] = out[k] * scale;
+    }
+    if (in_size * scale < 6.2230152778611417e-61) surfmink__ordinary(in, dim, a); /* 2^-200 */
+    if (out_size * scale < 6.2230152778611417e-61) surfmink__ordinary(out, dim, b);
+}
+
 /* a x b = a x (b - a), which does not cancel at nearly straight corners if a is the shorter of the two. */
 static double surfmink__turn_plane(const double in[2], const double out[2])
 {
     double a[2], b[2], d[2], cross;
-    surfmink__ordinary(in, 2, a);
-    surfmink__ordinary(out, 2, b);
+    surfmink__ordinary_pair(in, out, 2, a, b);
     surfmink__sub(b, a, 2, d);
     if (a[0] * a[0] + a[1] * a[1] <= b[0] * b[0] + b[1] * b[1])
         cross = a[0] * d[1] - a[1] * d[0];
@@ -612,8 +626,7 @@ static double surfmink__turn_plane(const double in[2], const double out[2])
 static double surfmink__turn(const double in[3], const double out[3], const double normal[3])
 {
     double a[3], b[3], d[3], n[3], cross[3], nn;
-    surfmink__ordinary(in, 3, a);
-    surfmink__ordinary(out, 3, b);
+    surfmink__ordinary_pair(in, out, 3, a, b);
     surfmink__ordinary(normal, 3, n);
     surfmink__sub(b, a, 3, d);
     if (surfmink__dot(a, a) <= surfmink__dot(b, b)) /* as in the plane */
@@ -1065,7 +1078,7 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
     }
     while (solid_angle > surfmink__two_pi) solid_angle -= 2 * surfmink__two_pi;
     while (solid_angle <= -surfmink__two_pi) solid_angle += 2 * surfmink__two_pi;
-    solid_angle *= radius * radius;
+    solid_angle = solid_angle * radius * radius;
     if (!surfmink__finite(&solid_angle, 1)) return SURFMINK_NOT_FINITE;
     *area = solid_angle;
     return SURFMINK_OK;
@@ -1119,7 +1132,8 @@ SURFMINK_DEF int surfmink_transport_angle(const double *turning, size_t n, size_
     size_t edge = from;
     int status = surfmink__factor(turning, n, transport, &factor);
     if (status != SURFMINK_OK) return status;
-    if (from >= n || !surfmink__finite(&angle, 1)) return SURFMINK_BAD_ARGUMENT;
+    if (!surfmink__finite(&angle, 1)) return SURFMINK_NOT_FINITE;
+    if (from >= n) return SURFMINK_BAD_ARGUMENT;
     for (; steps > 0; --steps) { /* past corner i+1, where the frame of the edge turns to the left */
         edge = edge + 1 < n ? edge + 1 : 0;
         surfmink__add(&turned, turning[edge]);
@@ -1240,7 +1254,7 @@ static double surfmink__modulus(double re, double im)
     return surfmink__norm(v, 2);
 }
 
-/* g_p = sum l_i exp(i p f_i) and mu_p = |g_p| / L for p = 0..P, a tile of ranks at a time. */
+/* g_p = sum l_i exp(i p f_i) and mu_p = |g_p| / L for p = 1..P, a tile of ranks at a time; g_0 = L is known. */
 static void surfmink__integrate(const surfmink__curve *c, double length, int max_rank, double *mu, double *g)
 {
     surfmink__block block;
@@ -1248,7 +1262,12 @@ static void surfmink__integrate(const surfmink__curve *c, double length, int max
     size_t count = c->outline->n + (c->fraction > 0 ? 1 : 0), start, size;
     double re, im;
     int first, p, ranks;
-    for (first = 0; first <= max_rank; first += ranks) {
+    if (g) {
+        g[0] = length;
+        g[1] = 0;
+    }
+    if (mu) mu[0] = 1;
+    for (first = 1; first <= max_rank; first += ranks) {
         ranks = max_rank - first < SURFMINK__TILE ? max_rank - first + 1 : SURFMINK__TILE;
         turned.high = turned.low = 0;
         for (p = 0; p < 2 * ranks; ++p) sum[p].high = sum[p].low = 0;
@@ -1280,6 +1299,13 @@ static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double fac
     return c;
 }
 
+static double surfmink__perimeter(const surfmink__outline *o)
+{
+    double length, turning, turned;
+    surfmink__sums(o, &length, &turning, &turned);
+    return length;
+}
+
 SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase, size_t n, int max_rank, double *g)
 {
     surfmink__outline o = surfmink__outline_measured(length, phase, n);
@@ -1287,7 +1313,7 @@ SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase,
     int status = max_rank >= 0 ? surfmink__check(&o, NULL) : SURFMINK_BAD_ARGUMENT;
     if (status != SURFMINK_OK) return status;
     c.phase = phase;
-    surfmink__integrate(&c, 1, max_rank, NULL, g);
+    surfmink__integrate(&c, surfmink__perimeter(&o), max_rank, NULL, g);
     return SURFMINK_OK;
 }
 
@@ -1301,7 +1327,7 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
     if (edge >= n) return SURFMINK_BAD_ARGUMENT;
     c.first = edge;
     c.fraction = fraction;
-    surfmink__integrate(&c, 1, max_rank, NULL, g);
+    surfmink__integrate(&c, surfmink__perimeter(&o), max_rank, NULL, g);
     return SURFMINK_OK;
 }
 
@@ -1381,6 +1407,12 @@ SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vec
 
 /* --- 4. spectrum -------------------------------------------------------------------------------------------------- */
 
+/* arg g_p in (-pi, pi]: adding 0 makes +0 of -0, or a negative real g_p might come out at -pi. */
+static double surfmink__argument(const double *g, int p)
+{
+    return SURFMINK_ATAN2(g[2 * p + 1] + 0.0, g[2 * p]);
+}
+
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
 {
     int p;
@@ -1390,7 +1422,7 @@ SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda
     for (p = 0; p <= max_rank; ++p) {
         if (lambda) lambda[p] = surfmink__modulus(g[2 * p], g[2 * p + 1]);
         if (mu) mu[p] = surfmink__modulus(g[2 * p] / g[0], g[2 * p + 1] / g[0]);
-        if (theta) theta[p] = p > 0 ? SURFMINK_ATAN2(g[2 * p + 1], g[2 * p]) / p : 0;
+        if (theta) theta[p] = p > 0 ? surfmink__argument(g, p) / p : 0;
     }
     return SURFMINK_OK;
 }
@@ -1398,7 +1430,7 @@ SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda
 static double surfmink__theta(const double *g, int p, int sign, int n)
 {
     double half_turns = sign >= 0 ? 2.0 * n : 2.0 * n + 1;
-    return (SURFMINK_ATAN2(g[2 * p + 1], g[2 * p]) + half_turns * surfmink__pi) / p;
+    return (surfmink__argument(g, p) + half_turns * surfmink__pi) / p;
 }
 
 SURFMINK_DEF int surfmink_angles(const double *g, int p, int sign, double *theta)
