@@ -1,0 +1,148 @@
+/* common.h - what all parts of the command need: complaints, memory, numbers out of text, text into tables. */
+#ifndef SURFMINK_COMMAND_COMMON_H
+#define SURFMINK_COMMAND_COMMON_H
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#if defined(__GNUC__)
+#define COMMAND_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#define COMMAND_DIES                __attribute__((noreturn))
+#else
+#define COMMAND_PRINTF(text, first)
+#define COMMAND_DIES
+#endif
+
+/* Exit statuses: all measured, something is wrong with the call or its input, some outlines were refused. */
+enum { EXIT_MEASURED = 0, EXIT_TROUBLE = 1, EXIT_REFUSED = 2 };
+
+/* --- complaints --------------------------------------------------------------------------------------------------- */
+
+/* Is there an unfinished progress line on the terminal? The next complaint has to wipe it first. */
+static int progress_is_shown;
+
+static void wipe_progress(void)
+{
+    if (progress_is_shown) fputs("\r\033[K", stderr);
+    progress_is_shown = 0;
+}
+
+/* One line to standard error. What has been measured so far goes out first, so that the two keep their order. */
+static void complain(const char *format, va_list arguments)
+{
+    fflush(stdout);
+    wipe_progress();
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+}
+
+static void die(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
+static void die(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    complain(format, arguments);
+    va_end(arguments);
+    exit(EXIT_TROUBLE);
+}
+
+/* --- memory ------------------------------------------------------------------------------------------------------- */
+
+static void *resize(void *array, size_t count, size_t size)
+{
+    void *moved = count <= SIZE_MAX / size ? realloc(array, count * size) : NULL;
+    if (!moved) die("surfmink: out of memory");
+    return moved;
+}
+
+/* Makes room for at least `need` elements; doubling keeps the cost of growing one by one linear. */
+static void *grow(void *array, size_t *room, size_t need, size_t size)
+{
+    if (need <= *room) return array;
+    *room = need > 2 * *room ? need : 2 * *room;
+    if (*room < 16) *room = 16;
+    return resize(array, *room, size);
+}
+
+/* --- numbers out of text ------------------------------------------------------------------------------------------ */
+
+/* The whole text as a number. strtod rounds correctly and, as setlocale is never called, expects a decimal point. */
+static int parse_number(const char *text, double *value)
+{
+    char *end;
+    *value = strtod(text, &end);
+    return end != text && *end == '\0';
+}
+
+/* The whole text as a count: digits and nothing else, so neither -1 nor 1e3. */
+static int parse_count(const char *text, size_t *value)
+{
+    size_t digit;
+    *value = 0;
+    if (*text == '\0') return 0;
+    for (; *text; ++text) {
+        if (*text < '0' || *text > '9') return 0;
+        digit = (size_t)(*text - '0');
+        if (*value > (SIZE_MAX - digit) / 10) return 0;
+        *value = 10 * *value + digit;
+    }
+    return 1;
+}
+
+/* --- text into tables --------------------------------------------------------------------------------------------- */
+
+enum notation { IN_TABLE, IN_JSON, IN_XML };
+
+/* Bytes of the well-formed UTF-8 character at s, 0 if there is none. JSON and XML must not contain anything else. */
+static int utf8_length(const unsigned char *s)
+{
+    int i, length = s[0] < 0x80 ? 1 : s[0] < 0xc2 ? 0 : s[0] < 0xe0 ? 2 : s[0] < 0xf0 ? 3 : s[0] < 0xf5 ? 4 : 0;
+    for (i = 1; i < length; ++i)
+        if ((s[i] & 0xc0) != 0x80) return 0;
+    if (s[0] == 0xe0 && s[1] < 0xa0) return 0;                 /* overlong */
+    if (s[0] == 0xf0 && s[1] < 0x90) return 0;                 /* overlong */
+    if (s[0] == 0xf4 && s[1] > 0x8f) return 0;                 /* beyond the last character */
+    if (s[0] == 0xed && s[1] > 0x9f) return 0;                 /* a surrogate */
+    if (s[0] == 0xef && s[1] == 0xbf && s[2] > 0xbd) return 0; /* a non-character, which XML forbids */
+    return length;
+}
+
+static void put_ascii(FILE *out, int c, enum notation notation)
+{
+    if (c < 0x20 || c == 0x7f) { /* a control character would break the line or the document */
+        if (notation == IN_JSON)
+            fprintf(out, "\\u%04x", (unsigned)c);
+        else
+            fputc(' ', out);
+    } else if (notation == IN_JSON && (c == '"' || c == '\\'))
+        fprintf(out, "\\%c", c);
+    else if (notation == IN_XML && strchr("&<>\"", c))
+        fprintf(out, "&#%d;", c);
+    else
+        fputc(c, out);
+}
+
+/* Text of unknown origin. Where the notation cannot hold a byte, the replacement character U+FFFD stands for it. */
+static void put_text(FILE *out, const char *text, enum notation notation)
+{
+    const unsigned char *s = (const unsigned char *)text;
+    int length;
+    while (*s) {
+        length = utf8_length(s);
+        if (length == 1)
+            put_ascii(out, *s, notation);
+        else if (length > 1)
+            fwrite(s, 1, (size_t)length, out);
+        else if (notation == IN_TABLE)
+            fputc(*s, out);
+        else
+            fputs("\xef\xbf\xbd", out);
+        s += length > 0 ? length : 1;
+    }
+}
+
+#endif

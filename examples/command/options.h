@@ -1,0 +1,309 @@
+/* options.h - step 0 of the command: what the user asked for. */
+#ifndef SURFMINK_COMMAND_OPTIONS_H
+#define SURFMINK_COMMAND_OPTIONS_H
+
+#include "camera.h"
+#include "common.h"
+
+/* In the order of the words behind --surface and --reverse. */
+enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
+enum reverse { REVERSE_AUTO, REVERSE_ALWAYS, REVERSE_NEVER };
+
+typedef struct options {
+    int surface;   /* of enum surface */
+    double radius; /* 0: not given, 1 then */
+    int max_rank;  /* P >= 1 */
+    int transport; /* of enum surfmink_transport */
+    size_t smooth; /* passes */
+    int reverse;   /* of enum reverse */
+    int merge;
+    int digits;
+    int directions;
+    int json;
+    const char *svg; /* NULL: no picture */
+    int color_by;    /* rank that fills the picture; 0: not given */
+    int has_view;    /* camera is given */
+    camera camera;
+    int summary;
+    int quiet;
+    const char **file;
+    size_t files;
+} options;
+
+static void usage_error(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
+static void usage_error(const char *format, ...)
+{
+    va_list arguments;
+    fputs("surfmink: ", stderr);
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputs(" (surfmink --help explains)\n", stderr);
+    exit(EXIT_TROUBLE);
+}
+
+/* In pieces, for C99 promises no more than 4095 characters in one string. */
+static const char *const help_text[] = {
+    "surfmink - measures the p-fold symmetry of outlines on curved surfaces\n"
+    "\n"
+    "EXAMPLES\n"
+    "  surfmink countries.tsv > mu.tsv                    # columns lon lat: great-circle polygons\n"
+    "  surfmink --surface sphere points.tsv               # columns x y z: the same, in space\n"
+    "  surfmink tissue.tsv --summary > mu.tsv             # columns x y z nx ny nz: any surface, with its normals\n"
+    "  surfmink cells.off --svg cells.svg --color-by mu_5 # faces of a polygon mesh, and a picture of them\n"
+    "  surfmink --surface plane tissue.tsv                # the same cells as a microscope sees them from above\n"
+    "  zcat big.tsv.gz | surfmink --json | jq 'select(.mu_6 > .9)'\n"
+    "\n"
+    "USAGE\n"
+    "  surfmink [OPTION ...] [FILE ...]\n"
+    "  No FILE, or -, is standard input. Results go to standard output, all else to standard error.\n"
+    "\n"
+    "INPUT\n"
+    "  A table, one corner a line; tabs, commas or blanks between the fields. Blank lines and lines that begin with #\n"
+    "  are skipped. The first other line names the columns, which may stand in any order:\n"
+    "    x y                a polygon of the plane\n"
+    "    lon lat            degrees; great-circle arcs on a sphere\n"
+    "    x y z nx ny nz     corners and outer normals on any surface in space; straight chords\n"
+    "    x y z              needs --surface sphere: great-circle arcs; only the directions of the corners count\n"
+    "    k                  order of the corners; not used, they count in the order of their lines\n"
+    "  The first column with another name is the id. Lines that follow each other with the same id are one polygon.\n"
+    "  Without an id column a blank line ends a polygon; ids then count from 0 in each file. Corners run\n"
+    "  counter-clockwise, seen from outside; the first may be repeated at the end.\n"
+    "  A FILE that ends in .off is a polygon mesh: each face is an outline, its id the number of the face, and the\n"
+    "  normals are area-weighted means over the faces at each vertex, unless --surface says otherwise.\n"
+    "\n",
+    "OUTPUT\n"
+    "  One line a polygon, tab separated: id n status L S area mu_1 ... mu_P theta_1 ... theta_P\n"
+    "    n          number of corners, as measured\n"
+    "    status     ok, or what is wrong with the polygon; it then has no numbers\n"
+    "    L, area    length of the outline; area on its left (plane, sphere)\n"
+    "    S          sum of the turning angles = 2 pi - enclosed curvature\n"
+    "    mu_p       p-fold symmetry, 0 to 1\n"
+    "    theta_p    direction of it: radians in (-pi/p, pi/p], at the middle of the first edge, from the outer\n"
+    "               co-normal towards the edge; empty where mu_p < 1e-12\n"
+    "\n"
+    "OPTIONS (--option value or --option=value; -- ends them)\n"
+    "  --surface plane|sphere|embedded   instead of what the columns say; plane drops z\n"
+    "  --radius R             of the sphere, default 1\n"
+    "  --max-rank P           largest p, default 6\n"
+    "  --transport corrected|parallel    parallel: the classical one to the middle of the first edge, for comparison\n"
+    "  --smooth K             first K passes of the 3-point mean, against the staircases of pixels\n"
+    "  --reverse auto|always|never       turn clockwise, all or (default) no outlines round\n"
+    "  --merge                drop corners that coincide with the one before, instead of refusing the polygon\n"
+    "  --digits N             significant digits, 1 to 17 (default, exact)\n"
+    "  --directions           adds columns e_p_x e_p_y e_p_z: the direction theta_p as a vector\n"
+    "  --json                 one JSON object a line instead of the table; null for what is undefined\n"
+    "  --summary              mean, standard deviation, quartiles of each mu_p and count of dominant ranks, on\n"
+    "                         standard error; keeps the mu of all polygons in memory\n"
+    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p eigenvectors of the positive\n"
+    "                         eigenvalue, which cross the longest sides; keeps all outlines in memory\n"
+    "  --color-by mu_p        which mu_p, default mu_2\n"
+    "  --view LON,LAT         where the eye of the picture is: above a point of the sphere,\n"
+    "  --view X,Y,Z           or in a direction. Default: where most can be seen from\n"
+    "  --quiet                no word about refused polygons, no progress line\n"
+    "  --help                 this page\n"
+    "  --version\n"
+    "\n",
+    "REFUSALS AND EXIT STATUS\n"
+    "  A polygon that cannot be measured is named on standard error as FILE:LINE: reason, and the run goes on.\n"
+    "  0 all polygons were measured. 2 some were refused. 1 a wrong option; a file that cannot be read or written, is\n"
+    "  malformed, or does not even name its columns: the run stops there.\n"
+    "\n"
+    "MEMORY\n"
+    "  grows with the largest polygon, not with the table. Meshes, --summary and --svg keep more.\n"};
+
+/* To standard output, and gone: what was asked for must not get lost unnoticed in a full disk or a closed pipe. */
+static void answer(const char *const *text, size_t pieces) COMMAND_DIES;
+static void answer(const char *const *text, size_t pieces)
+{
+    size_t i;
+    for (i = 0; i < pieces; ++i) fputs(text[i], stdout);
+    if (fflush(stdout) != 0 || ferror(stdout)) die("surfmink: cannot write to standard output");
+    exit(EXIT_MEASURED);
+}
+
+/* --- values ------------------------------------------------------------------------------------------------------- */
+
+/* Which of the words is it? */
+static int parse_choice(const char *name, const char *value, const char *const *word, int words)
+{
+    int i;
+    for (i = 0; i < words; ++i)
+        if (strcmp(value, word[i]) == 0) return i;
+    if (words == 2) usage_error("--%s is %s or %s, not '%s'", name, word[0], word[1], value);
+    usage_error("--%s is %s, %s or %s, not '%s'", name, word[0], word[1], word[2], value);
+}
+
+static int parse_between(const char *name, const char *value, size_t least, size_t most)
+{
+    size_t number;
+    if (!parse_count(value, &number) || number < least || number > most)
+        usage_error("--%s is a whole number from %lu to %lu, not '%s'", name, (unsigned long)least, (unsigned long)most,
+                    value);
+    return (int)number;
+}
+
+static double parse_radius(const char *value)
+{
+    double radius;
+    if (!parse_number(value, &radius) || !(radius > 0 && radius <= 1e100))
+        usage_error("--radius is a positive number, not '%s'", value);
+    return radius;
+}
+
+/* mu_5, or just 5. */
+static int parse_color_by(const char *value)
+{
+    size_t rank;
+    if (!parse_count(strncmp(value, "mu_", 3) == 0 ? value + 3 : value, &rank) || rank < 1 || rank > INT32_MAX)
+        usage_error("--color-by is one of mu_1, mu_2, ..., not '%s'", value);
+    return (int)rank;
+}
+
+/* Numbers with commas between them; returns how many, 0 if they are none or too many. */
+static int parse_list(const char *value, double *number, int most)
+{
+    char *end;
+    int count = 0;
+    for (;; value = end + 1) {
+        if (count == most) return 0;
+        number[count] = strtod(value, &end);
+        if (end == value || !(fabs(number[count]) <= 1e100)) return 0;
+        ++count;
+        if (*end == '\0') return count;
+        if (*end != ',') return 0;
+    }
+}
+
+static void parse_view(options *o, const char *value)
+{
+    double v[3];
+    int count = parse_list(value, v, 3);
+    o->has_view = 1;
+    if (count == 2) {
+        if (!look_from_lonlat(&o->camera, v[0], v[1])) usage_error("--view %s: a latitude lies in [-90, 90]", value);
+    } else if (count == 3 && hypot(hypot(v[0], v[1]), v[2]) > 0)
+        look_from(&o->camera, v);
+    else
+        usage_error("--view is LON,LAT in degrees or a direction X,Y,Z, not '%s'", value);
+}
+
+/* --- the command line --------------------------------------------------------------------------------------------- */
+
+enum option {
+    OPTION_SURFACE,
+    OPTION_RADIUS,
+    OPTION_MAX_RANK,
+    OPTION_TRANSPORT,
+    OPTION_SMOOTH,
+    OPTION_REVERSE,
+    OPTION_DIGITS,
+    OPTION_SVG,
+    OPTION_COLOR_BY,
+    OPTION_VIEW, /* from here on without a value */
+    OPTION_MERGE,
+    OPTION_DIRECTIONS,
+    OPTION_JSON,
+    OPTION_SUMMARY,
+    OPTION_QUIET,
+    OPTION_HELP,
+    OPTION_VERSION,
+    OPTIONS
+};
+
+/* In this order. */
+static const char *const option_name[OPTIONS] = {"surface", "radius",  "max-rank", "transport", "smooth", "reverse",
+                                                 "digits",  "svg",     "color-by", "view",      "merge",  "directions",
+                                                 "json",    "summary", "quiet",    "help",      "version"};
+
+static void set_option(options *o, int option, const char *value)
+{
+    static const char *const surfaces[] = {"plane", "sphere", "embedded"};
+    static const char *const transports[] = {"corrected", "parallel"};
+    static const char *const reversals[] = {"auto", "always", "never"};
+    static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
+    const char *name = option_name[option];
+    switch (option) {
+    case OPTION_SURFACE: o->surface = parse_choice(name, value, surfaces, 3); break;
+    case OPTION_RADIUS: o->radius = parse_radius(value); break;
+    case OPTION_MAX_RANK: o->max_rank = parse_between(name, value, 1, 1000000); break;
+    case OPTION_TRANSPORT: o->transport = parse_choice(name, value, transports, 2); break;
+    case OPTION_SMOOTH: o->smooth = (size_t)parse_between(name, value, 0, 1000000); break;
+    case OPTION_REVERSE: o->reverse = parse_choice(name, value, reversals, 3); break;
+    case OPTION_DIGITS: o->digits = parse_between(name, value, 1, 17); break;
+    case OPTION_SVG: o->svg = value; break;
+    case OPTION_COLOR_BY: o->color_by = parse_color_by(value); break;
+    case OPTION_VIEW: parse_view(o, value); break;
+    case OPTION_MERGE: o->merge = 1; break;
+    case OPTION_DIRECTIONS: o->directions = 1; break;
+    case OPTION_JSON: o->json = 1; break;
+    case OPTION_SUMMARY: o->summary = 1; break;
+    case OPTION_QUIET: o->quiet = 1; break;
+    case OPTION_HELP: answer(help_text, sizeof help_text / sizeof *help_text);
+    case OPTION_VERSION: answer(version, 1);
+    default: break;
+    }
+}
+
+/* The option that `text`, up to a possible =, names. */
+static int find_option(const char *text)
+{
+    size_t length = strcspn(text, "=");
+    int i;
+    for (i = 0; i < OPTIONS; ++i)
+        if (length > 2 && strncmp(text, "--", 2) == 0 && strlen(option_name[i]) == length - 2 &&
+            strncmp(text + 2, option_name[i], length - 2) == 0)
+            return i;
+    usage_error("unknown option '%.*s'", (int)length, text);
+}
+
+/* Takes one option from the front of the arguments; returns how many of them it was. */
+static int take_option(options *o, char **argument)
+{
+    int option = find_option(argument[0]);
+    const char *equals = strchr(argument[0], '=');
+    if (option >= OPTION_MERGE) {
+        if (equals) usage_error("--%s takes no value", option_name[option]);
+        set_option(o, option, NULL);
+        return 1;
+    }
+    if (!equals && !argument[1]) usage_error("--%s needs a value", option_name[option]);
+    set_option(o, option, equals ? equals + 1 : argument[1]);
+    return equals ? 1 : 2;
+}
+
+/* What no single option can know to be wrong. An option without effect would be taken for one that has been obeyed. */
+static void check_options(options *o)
+{
+    if (o->svg && (*o->svg == '\0' || strcmp(o->svg, "-") == 0)) usage_error("--svg needs the name of a file");
+    if (!o->svg && o->color_by) usage_error("--color-by is for pictures: add --svg FILE");
+    if (!o->svg && o->has_view) usage_error("--view is for pictures: add --svg FILE");
+    if (o->color_by > o->max_rank) usage_error("--color-by mu_%d needs --max-rank %d", o->color_by, o->color_by);
+    if (o->color_by == 0) o->color_by = o->max_rank < 2 ? 1 : 2;
+}
+
+static void parse_options(options *o, int argc, char **argv)
+{
+    static const char *const standard_input = "-";
+    int i = 1, only_files = 0;
+    memset(o, 0, sizeof *o);
+    o->surface = AS_THE_COLUMNS_SAY;
+    o->max_rank = 6;
+    o->transport = SURFMINK_CORRECTED;
+    o->reverse = REVERSE_NEVER;
+    o->digits = 17;
+    o->file = (const char **)resize(NULL, (size_t)argc + 1, sizeof *o->file);
+    while (i < argc) {
+        if (!only_files && strcmp(argv[i], "--") == 0) {
+            only_files = 1;
+            ++i;
+        } else if (only_files || argv[i][0] != '-' || argv[i][1] == '\0')
+            o->file[o->files++] = argv[i++];
+        else
+            i += take_option(o, argv + i);
+    }
+    if (o->files == 0) o->file[o->files++] = standard_input;
+    check_options(o);
+}
+
+#endif

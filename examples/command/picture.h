@@ -1,0 +1,241 @@
+/* picture.h - step 4 of the command, if asked for: what a picture needs to know of every outline.
+
+   Plane, sphere (made a unit sphere) and embedded outlines become alike here: corners and normals in space. */
+#ifndef SURFMINK_COMMAND_PICTURE_H
+#define SURFMINK_COMMAND_PICTURE_H
+
+#include "measure.h"
+
+typedef struct shape {
+    size_t first, n; /* corners */
+    size_t id;       /* where its text begins */
+    int status;
+    double mu;          /* of the rank that fills the picture */
+    double centre[3];   /* mean point of the outline; of the sphere above it */
+    double normal[3];   /* unit: mean of the normals along the outline */
+    double area;        /* about, for sizes and means */
+    double director[3]; /* unit: eigenvector n = 0 of +lambda at the centre; 0 where there is none */
+} shape;
+
+typedef struct picture {
+    int surface;    /* of all outlines */
+    double *corner; /* 3 each */
+    size_t corners, corner_room;
+    shape *shape;
+    size_t shapes, shape_room;
+    char *text; /* ids, one after the other */
+    size_t text_length, text_room;
+    double *normal, *phase; /* of the outline that is being added */
+    size_t normal_room, phase_room;
+} picture;
+
+static void free_picture(picture *g)
+{
+    free(g->corner);
+    free(g->shape);
+    free(g->text);
+    free(g->normal);
+    free(g->phase);
+}
+
+/* 0 if it has no direction. */
+static int make_unit(double v[3])
+{
+    double length = sqrt(dot(v, v));
+    size_t k;
+    if (!(length > 0 && length <= 1e150)) return 0;
+    for (k = 0; k < 3; ++k) v[k] /= length;
+    return 1;
+}
+
+/* --- corners and normals ------------------------------------------------------------------------------------------ */
+
+/* Corner i in space and its normal. */
+static int place_corner(const polygon *p, size_t i, double corner[3], double normal[3])
+{
+    size_t k;
+    for (k = 0; k < 3; ++k) {
+        corner[k] = p->surface == PLANE ? (k < 2 ? p->corner[2 * i + k] : 0) : p->corner[3 * i + k];
+        normal[k] = p->surface == PLANE ? (k < 2 ? 0 : 1) : p->surface == SPHERE ? corner[k] : p->normal[3 * i + k];
+        if (!isfinite(corner[k])) return 0;
+    }
+    if (!make_unit(normal)) return 0;
+    for (k = 0; k < 3 && p->surface == SPHERE; ++k) corner[k] = normal[k];
+    return 1;
+}
+
+/* Copies the outline to the end of the picture's; returns its corners there, NULL if they cannot be drawn. */
+static double *place_corners(picture *g, const polygon *p)
+{
+    double *corner;
+    size_t i;
+    g->corner = (double *)grow(g->corner, &g->corner_room, 3 * (g->corners + p->n), sizeof *g->corner);
+    g->normal = (double *)grow(g->normal, &g->normal_room, 3 * p->n, sizeof *g->normal);
+    corner = g->corner + 3 * g->corners;
+    for (i = 0; i < p->n; ++i)
+        if (!place_corner(p, i, corner + 3 * i, g->normal + 3 * i)) return NULL;
+    return corner;
+}
+
+/* --- the middle --------------------------------------------------------------------------------------------------- */
+
+/* Centre and normal: means along the outline. Area: half the sum of cross products about the centre. */
+static void find_centre(shape *s, const picture *g, const double *corner)
+{
+    double weight, total = 0, area[3] = {0, 0, 0}, a[3], b[3], c[3];
+    size_t i, j, k;
+    for (k = 0; k < 3; ++k) s->centre[k] = s->normal[k] = 0;
+    for (i = 0; i < s->n; ++i) {
+        j = i + 1 < s->n ? i + 1 : 0;
+        for (k = 0; k < 3; ++k) a[k] = corner[3 * j + k] - corner[3 * i + k];
+        total += weight = sqrt(dot(a, a));
+        for (k = 0; k < 3; ++k) {
+            s->centre[k] += weight * (corner[3 * i + k] + corner[3 * j + k]) / 2;
+            s->normal[k] += weight * (g->normal[3 * i + k] + g->normal[3 * j + k]) / 2;
+        }
+    }
+    for (k = 0; k < 3; ++k) s->centre[k] /= total;
+    for (i = 0; i < s->n; ++i) {
+        j = i + 1 < s->n ? i + 1 : 0;
+        for (k = 0; k < 3; ++k) a[k] = corner[3 * i + k] - s->centre[k];
+        for (k = 0; k < 3; ++k) b[k] = corner[3 * j + k] - s->centre[k];
+        cross(a, b, c);
+        for (k = 0; k < 3; ++k) area[k] += c[k] / 2;
+    }
+    s->area = sqrt(dot(area, area));
+    make_unit(s->normal);
+    for (k = 0; k < 3 && g->surface == SPHERE; ++k) s->centre[k] = s->normal[k];
+}
+
+/* Carries a tangent vector from where the normal is n to where it is N, by the smallest rotation that takes n to N. */
+static void tilt(double v[3], const double n[3], const double N[3])
+{
+    double part = dot(v, N) / (1 + dot(n, N));
+    size_t k;
+    for (k = 0; k < 3; ++k) v[k] -= part * (n[k] + N[k]);
+}
+
+/* Two unit vectors that make a right-handed frame with the normal. */
+static void tangent_axes(const double normal[3], double e1[3], double e2[3])
+{
+    double axis[3] = {0, 0, 0};
+    axis[fabs(normal[0]) < 0.7 ? 0 : 1] = 1;
+    cross(normal, axis, e2);
+    make_unit(e2);
+    cross(e2, normal, e1);
+}
+
+/* The eigenvectors of every edge, tilted to the centre, differ a little there: this is their mean. One of the p is as
+   good as the other, so p times their angle is averaged. */
+static void find_director(shape *s, picture *g, const double *corner, const measure *m, const options *o)
+{
+    int p = o->color_by;
+    double frame[9], e[3], e1[3], e2[3], angle, re = 0, im = 0;
+    size_t i, k;
+    g->phase = (double *)grow(g->phase, &g->phase_room, s->n, sizeof *g->phase);
+    if (surfmink_phases(m->turning, s->n, o->transport, g->phase) != SURFMINK_OK) return;
+    tangent_axes(s->normal, e1, e2);
+    for (i = 0; i < s->n; ++i) {
+        if (surfmink_frame_embedded(corner, g->normal, s->n, i, frame) != SURFMINK_OK) continue;
+        angle = m->theta[p] - g->phase[i];
+        for (k = 0; k < 3; ++k) e[k] = cos(angle) * frame[k] + sin(angle) * frame[3 + k];
+        tilt(e, frame + 6, s->normal);
+        angle = p * atan2(dot(e, e2), dot(e, e1));
+        re += m->length[i] * cos(angle);
+        im += m->length[i] * sin(angle);
+    }
+    angle = atan2(im, re) / p;
+    for (k = 0; k < 3; ++k) s->director[k] = cos(angle) * e1[k] + sin(angle) * e2[k];
+}
+
+/* --- outlines ----------------------------------------------------------------------------------------------------- */
+
+static size_t keep_text(picture *g, const char *text)
+{
+    size_t begin = g->text_length, length = strlen(text) + 1;
+    g->text = (char *)grow(g->text, &g->text_room, begin + length, 1);
+    memcpy(g->text + begin, text, length);
+    g->text_length += length;
+    return begin;
+}
+
+/* Outlines that were refused are drawn too, as far as they can be. */
+static void add_to_picture(picture *g, polygon *p, measure *m, const options *o)
+{
+    double *corner;
+    shape *s;
+    g->surface = p->surface;
+    if (p->n < 3 || p->fault != SURFMINK_OK) return;
+    if (m->status == SURFMINK_CLOCKWISE) reverse_corners(p); /* the smaller side is the one to draw */
+    if (!(corner = place_corners(g, p))) return;
+    g->shape = (shape *)grow(g->shape, &g->shape_room, g->shapes + 1, sizeof *g->shape);
+    s = &g->shape[g->shapes++];
+    memset(s, 0, sizeof *s);
+    s->first = g->corners;
+    s->n = p->n;
+    s->id = keep_text(g, p->id);
+    s->status = m->status;
+    g->corners += p->n;
+    find_centre(s, g, corner);
+    if (m->status != SURFMINK_OK) return;
+    s->mu = m->mu[o->color_by];
+    measure_edges(m, p, 1);
+    if (has_direction(m, o->color_by)) find_director(s, g, corner, m, o);
+}
+
+/* --- where to look from ------------------------------------------------------------------------------------------- */
+
+/* The axis along which the outlines extend least: from there most of them can be seen. */
+static void widest_view(const picture *g, double direction[3])
+{
+    double least[3], most[3];
+    size_t i, k, best = 2;
+    for (k = 0; k < 3; ++k) least[k] = most[k] = g->corners ? g->corner[k] : 0;
+    for (i = 0; i < 3 * g->corners; ++i) {
+        k = i % 3;
+        if (g->corner[i] < least[k]) least[k] = g->corner[i];
+        if (g->corner[i] > most[k]) most[k] = g->corner[i];
+    }
+    for (k = 2; k-- > 0;)
+        if (most[k] - least[k] < most[best] - least[best]) best = k;
+    for (k = 0; k < 3; ++k) direction[k] = k == best ? 1 : 0;
+}
+
+/* Along one of the axes, the frame the data were taken in, if it is within 20 degrees. */
+static void snap_to_axis(double direction[3])
+{
+    size_t j, k;
+    for (k = 0; k < 3; ++k)
+        if (fabs(direction[k]) > 0.94)
+            for (j = 0; j < 3; ++j) direction[j] = j != k ? 0 : direction[k] > 0 ? 1 : -1;
+}
+
+/* From where the mean outline faces, unless they face all ways. */
+static void default_camera(const picture *g, camera *c)
+{
+    const double degree = 0.017453292519943296;
+    double facing[3] = {0, 0, 0}, total = 0;
+    size_t i, k;
+    for (i = 0; i < g->shapes; ++i) {
+        for (k = 0; k < 3; ++k) facing[k] += g->shape[i].area * g->shape[i].normal[k];
+        total += g->shape[i].area;
+    }
+    if (!(sqrt(dot(facing, facing)) > 0.1 * total)) {
+        if (g->surface == SPHERE)
+            look_from_lonlat(c, 10, 20);
+        else {
+            widest_view(g, facing);
+            look_from(c, facing);
+        }
+        return;
+    }
+    make_unit(facing);
+    if (g->surface == SPHERE) /* in whole degrees, to be quoted */
+        look_from_lonlat(c, floor(atan2(facing[1], facing[0]) / degree + 0.5), floor(asin(facing[2]) / degree + 0.5));
+    else {
+        snap_to_axis(facing);
+        look_from(c, facing);
+    }
+}
+
+#endif

@@ -1,0 +1,257 @@
+/* tables.c - how fast do polygons approach a smooth curve? Tables 1 and 2 of the paper, digit by digit, and put right.
+
+     cc tables.c -o tables -lm && ./tables DIRECTORY DATA          (from the root: make paper)
+
+   A flower with three petals is cut into q edges of equal arc length, and L, kappa = S, the phases f and the components
+   g_3 of the polygon are compared with those of the curve. The paper prints the errors for great-circle polygons on the
+   unit sphere (Table 1, whose caption names the ellipsoid) and for straight chords on an ellipsoid (Table 2).
+
+     1 exact     the curve itself, by Fourier series                         flower.h
+     2 polygons  q = 4, 8, ..., 1024: lengths and turning angles             surfmink_edges_sphere, _embedded, _surface
+     3 printed   as the authors computed: turns one corner late ("lag"), |g - g_q| divided by 4, orders against q/2
+     4 right     turns as in section 3, directions read at the middle of edge 0: order 2 */
+
+#define SURFMINK_IMPLEMENTATION
+#include "../../surfmink.h"
+#include "../surfaces/ellipsoid.h"
+#include "experiment.h"
+#include "flower.h"
+#include "plot.h"
+
+#define LEVELS 9 /* q = 4 << level */
+#define MOST_CORNERS (4 << (LEVELS - 1))
+#define RANK 3
+
+enum edges { GREAT_CIRCLES, CHORDS, GEODESICS };
+
+enum column { LENGTH, KAPPA, F_LAG, G_LAG, F, G, G_MIDDLE, MU, COLUMNS };
+static const char *const heading[COLUMNS] = {"|L-L_q|", "|k-k_q|", "f, lag", "g, lag /4", "f", "g", "g, middle", "mu_3"};
+/* What the reference tables call them. */
+static const char *const reference[COLUMNS] = {"L_err",     "kappa_err", "f_lag_err",         "g_lag_err_over4",
+                                               "f_std_err", "g_std_err", "g_std_midedge_err", "mu3_std_err"};
+
+typedef double errors[LEVELS][COLUMNS];
+
+/* Distance of two components after each is divided by its perimeter, which the paper does too. */
+static double distance(const double *g, const double *h, int p)
+{
+    return hypot(g[2 * p] / g[0] - h[2 * p] / h[0], g[2 * p + 1] / g[0] - h[2 * p + 1] / h[0]);
+}
+
+/* The largest error of a phase over all corners. */
+static double phase_error(const flower_exact *exact, const double *phase, size_t q)
+{
+    double worst = 0;
+    size_t i;
+    for (i = 0; i < q; ++i)
+        worst = fmax(worst, fabs(phase[i] - flower_phase(exact, flower_time(exact, exact->length * (double)i / (double)q))));
+    return worst;
+}
+
+/* The errors of one polygon of q corners. */
+static void measure(const flower_exact *exact, enum edges edges, size_t q, double *error)
+{
+    static double corner[3 * MOST_CORNERS], normal[3 * MOST_CORNERS], scratch[2 * MOST_CORNERS];
+    static double length[MOST_CORNERS], turning[MOST_CORNERS], late[MOST_CORNERS], phase[MOST_CORNERS];
+    double smooth[2 * RANK + 2], middle[2 * RANK + 2], g[2 * RANK + 2];
+    surfmink_implicit body = surfmink_ellipsoid(exact->curve.axis);
+    surfmink_surface surface = surfmink_implicit_surface(&body);
+    surfmink_functionals w;
+    size_t i;
+    int status = SURFMINK_OK;
+    flower_polygon(exact, q, corner, normal);
+    switch (edges) {
+    case GREAT_CIRCLES: status = surfmink_edges_sphere(corner, q, 1.0, length, turning, NULL); break;
+    case CHORDS: status = surfmink_edges_embedded(corner, normal, q, length, turning, NULL); break;
+    case GEODESICS: status = surfmink_edges_surface(&surface, corner, q, scratch, length, turning, NULL); break;
+    }
+    if (status == SURFMINK_OK) status = surfmink_total(length, turning, q, &w);
+    experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
+    flower_components(exact, 0, RANK, smooth);
+    flower_components(exact, flower_time(exact, exact->length / (2 * (double)q)), RANK, middle);
+    error[LENGTH] = fabs(w.length - exact->length);
+    error[KAPPA] = fabs(w.turning - exact->kappa);
+
+    /* Section 3: edge i has turned by alpha_1 + ... + alpha_i. */
+    surfmink_phases(turning, q, SURFMINK_CORRECTED, phase);
+    surfmink_irreducible(length, phase, q, RANK, g);
+    error[F] = phase_error(exact, phase, q);
+    error[G] = distance(g, smooth, RANK);
+    error[G_MIDDLE] = distance(g, middle, RANK);
+    error[MU] = fabs(hypot(g[2 * RANK], g[2 * RANK + 1]) / g[0] - hypot(smooth[2 * RANK], smooth[2 * RANK + 1]) / smooth[0]);
+
+    /* The authors: by alpha_0 + ... + alpha_(i-1), one corner late. */
+    for (i = 0; i < q; ++i) late[i] = turning[i > 0 ? i - 1 : q - 1];
+    surfmink_phases(late, q, SURFMINK_CORRECTED, phase);
+    surfmink_irreducible(length, phase, q, RANK, g);
+    error[F_LAG] = phase_error(exact, phase, q);
+    error[G_LAG] = distance(g, smooth, RANK) / 4;
+}
+
+static double order(errors error, int level, enum column c)
+{
+    return log2(error[level - 1][c] / error[level][c]);
+}
+
+static void print_errors(experiment *e, const char *name, errors error)
+{
+    int level, c;
+    printf("%5s", "q");
+    for (c = 0; c < COLUMNS; ++c) printf("  %-9s order", heading[c]);
+    putchar('\n');
+    for (level = 0; level < LEVELS; ++level) {
+        printf("%5d", 4 << level);
+        fprintf(e->table, "%s\t%d", name, 4 << level);
+        for (c = 0; c < COLUMNS; ++c) {
+            printf("  %9.3e ", error[level][c]);
+            fprintf(e->table, "\t%.6e", error[level][c]);
+            if (level > 0) {
+                printf("%5.2f", order(error, level, (enum column)c));
+                fprintf(e->table, "\t%.2f", order(error, level, (enum column)c));
+            } else {
+                printf("%5s", "-");
+                fprintf(e->table, "\tnan");
+            }
+        }
+        putchar('\n');
+        fputc('\n', e->table);
+    }
+}
+
+/* All digits of the reference, which has seven of each error, up to what its own rounding took away. */
+static void compare_errors(experiment *e, const char *file, errors error, double rounding)
+{
+    static printed t;
+    char what[128];
+    int row, c;
+    printed_read(&t, e, file);
+    for (row = 0; row < t.rows; ++row)
+        for (c = 0; c < COLUMNS; ++c) {
+            double want = printed_number(&t, row, reference[c]);
+            snprintf(what, sizeof what, "%s, q = %s, %s", file, printed_text(&t, row, "q"), reference[c]);
+            experiment_near(e, what, error[row][c], want, 1e-6 * want + rounding);
+        }
+}
+
+/* The paper's own table: every other level, with the order against the level between that it does not print. */
+static void compare_printed(experiment *e, const char *file, errors error, const enum column *column,
+                            const char *const *name, int columns)
+{
+    static printed t;
+    char cell[64];
+    int row, c, before = e->agree;
+    printed_read(&t, e, file);
+    printf("%5s", "q");
+    for (c = 0; c < columns; ++c) printf("   %-10s computed printed   eoc printed", name[c]);
+    putchar('\n');
+    for (row = 0; row < t.rows; ++row) {
+        int level = 2 * row;
+        printf("%5s", printed_text(&t, row, "q"));
+        for (c = 0; c < columns; ++c) {
+            const char *value, *eoc;
+            snprintf(cell, sizeof cell, "%s_err", name[c]);
+            value = printed_text(&t, row, cell);
+            snprintf(cell, sizeof cell, "%s_eoc", name[c]);
+            eoc = printed_text(&t, row, cell);
+            printf("              %.1e  %s", error[level][column[c]], value);
+            snprintf(cell, sizeof cell, "%s: q = %d, %s", file, 4 << level, name[c]);
+            experiment_printed(e, cell, value, 1, error[level][column[c]]);
+            if (level == 0) {
+                printf("%14s", "");
+                continue;
+            }
+            printf("  %5.2f  %5s ", order(error, level, column[c]), eoc);
+            experiment_printed(e, cell, eoc, 0, order(error, level, column[c]));
+        }
+        putchar('\n');
+    }
+    printf("%d entries agree\n\n", e->agree - before);
+}
+
+/* --- figure ---------------------------------------------------------------------------------------------------------- */
+
+static void draw_slope(plot *p, const plot_axes *axes, double start, int slope)
+{
+    double q[2] = {192, 1024}, error[2];
+    plot_pen pen = {"#888888", 0.9, "3 3"};
+    char label[16];
+    error[0] = start;
+    error[1] = start * pow(q[0] / q[1], slope);
+    plot_curve(p, axes, q, error, 2, pen, PLOT_NONE);
+    snprintf(label, sizeof label, "order %d", slope);
+    plot_text_as(p, plot_x(axes, 420), plot_y(axes, start * pow(q[0] / 420, slope)) - 5, 9, "start", "#555555", 0, 0, label);
+}
+
+static void draw(const experiment *e, errors great_circles, errors chords)
+{
+    static const enum column shown[6] = {F, G_LAG, G, G_MIDDLE, MU, KAPPA};
+    static const char *const meaning[6] = {"$f$", "$g_3$ as printed (lag, /4)", "$g_3$ read at corner 0",
+                                           "$g_3$ read at the middle of edge 0", "$\\mu_3$", "$\\kappa$"};
+    static const char *const title[2] = {"(a)  great circles on the unit sphere", "(b)  chords on the ellipsoid"};
+    double q[LEVELS], error[LEVELS];
+    plot p;
+    int panel, k, level;
+    if (plot_begin(&p, e->figure, 760, 370)) exit(1);
+    for (panel = 0; panel < 2; ++panel) {
+        plot_axes axes = {60, 30, 290, 235, {3, 1400}, {1e-6, 4}, {1, 1}};
+        axes.left += 375 * panel;
+        plot_frame(&p, &axes, 0, 0, "number of edges $q$", panel ? "" : "error");
+        plot_letter(&p, axes.left, axes.top - 9, title[panel]);
+        for (k = 0; k < 6; ++k) {
+            for (level = 0; level < LEVELS; ++level) {
+                q[level] = 4 << level;
+                error[level] = panel ? chords[level][shown[k]] : great_circles[level][shown[k]];
+            }
+            plot_curve(&p, &axes, q, error, LEVELS, plot_pens[k], plot_markers[k]);
+        }
+        draw_slope(&p, &axes, 0.9, 1);
+        draw_slope(&p, &axes, 4e-5, 2);
+    }
+    for (k = 0; k < 6; ++k)
+        plot_key(&p, 70 + 235 * (k / 2), 325 + 20 * (k % 2), plot_pens[k], plot_markers[k], meaning[k]);
+    if (plot_end(&p)) exit(1);
+}
+
+int main(int argc, char **argv)
+{
+    static const enum column table1[4] = {LENGTH, KAPPA, F_LAG, G_LAG}, table2[3] = {LENGTH, KAPPA, G_LAG};
+    static const char *const name1[4] = {"L", "kappa", "f", "g"}, *const name2[3] = {"L", "kappa", "g"};
+    flower curve = {{1, 1, 1}, 0.7, 0.2, 3, PI / 2, PI / 4};
+    static flower_exact sphere, ellipsoid;
+    static errors great_circles, chords, geodesics;
+    experiment e;
+    int level, c;
+    if (experiment_begin(&e, argc, argv, "tables")) return 1;
+    flower_integrate(&curve, &sphere);
+    curve.axis[0] = 1.6;
+    curve.axis[1] = 1.3;
+    flower_integrate(&curve, &ellipsoid);
+    for (level = 0; level < LEVELS; ++level) {
+        measure(&sphere, GREAT_CIRCLES, (size_t)4 << level, great_circles[level]);
+        measure(&ellipsoid, CHORDS, (size_t)4 << level, chords[level]);
+        measure(&ellipsoid, GEODESICS, (size_t)4 << level, geodesics[level]);
+    }
+    fprintf(e.table, "table\tq");
+    for (c = 0; c < COLUMNS; ++c) fprintf(e.table, "\t%s\teoc_%s", reference[c], reference[c]);
+    fputc('\n', e.table);
+
+    puts("Table 1 as printed. It is the unit sphere; f and g turn one corner late; |g - g_q| is divided by 4;");
+    puts("eoc compares with q/2.");
+    compare_printed(&e, "table1_printed.tsv", great_circles, table1, name1, 4);
+    puts("Table 2 as printed: chords on the ellipsoid, computed in the same way.");
+    compare_printed(&e, "table2_printed.tsv", chords, table2, name2, 3);
+
+    puts("Table 1 put right: great circles on the unit sphere. \"g, middle\" reads directions at the middle of edge 0.");
+    print_errors(&e, "sphere_great_circles", great_circles);
+    compare_errors(&e, "table1_reference.tsv", great_circles, 0);
+    puts("\nWhat the caption of Table 1 describes: geodesics on the ellipsoid.");
+    print_errors(&e, "ellipsoid_geodesics", geodesics);
+    /* Its geodesics are in double precision: 1e-12 for each of 1024 angles. Ours follow q^-2 to 1e-11. */
+    compare_errors(&e, "ellipsoid_geodesic_reference.tsv", geodesics, 1.5e-9);
+    puts("\nTable 2 put right: chords on the ellipsoid.");
+    print_errors(&e, "ellipsoid_chords", chords);
+    compare_errors(&e, "table2_reference.tsv", chords, 0);
+    putchar('\n');
+    draw(&e, great_circles, chords);
+    return experiment_end(&e);
+}

@@ -1,0 +1,1089 @@
+/* mesh.h - triangle meshes and their level sets, for surfmink - MIT or public domain, as you like (see surfmink.h)
+
+   One header to copy beside surfmink.h, which it does not need. C99 and C++, only libc and libm.
+
+   WHAT IT DOES
+     Reads a triangle mesh, and cuts it where a scalar on its vertices has a given value. Out come outlines as
+     surfmink_measure_embedded wants them: corners and unit normals, one closed loop after the other.
+
+   QUICK START
+     mesh m;  mesh_error error;  mesh_loops loops;
+     double *field = NULL;                                                 // one scalar per vertex
+     if (mesh_read(&m, "cell.off", &error) || mesh_connect(&m, &error) || mesh_normals(&m, &error) ||
+         mesh_read_field(&m, "height.txt", &field, &error) ||
+         mesh_level_set(&m, field, 0.5, MESH_BELOW, &loops, &error)) puts(error.text);
+     for (k = 0; k < loops.loops; ++k)
+         surfmink_measure_embedded(loops.corner + 3 * loops.start[k], loops.normal + 3 * loops.start[k],
+                                   loops.start[k + 1] - loops.start[k], 6, mu, NULL, NULL, NULL);
+
+   DATA FLOW (sections of this file, in order)
+     1 read      file -> vertices, triangles             OFF, OBJ, PLY (ascii); or mesh_sphere builds them
+     2 connect   triangles -> which edge meets which     refuses what is not an oriented surface
+     3 normals   triangles -> unit normal per vertex     area-weighted
+     4 level set field on the vertices -> loops          and the area of the part that they enclose
+
+   CONVENTIONS
+     triangle    its vertices a b c run counter-clockwise seen from outside
+     half-edge   number 3 t + k: the side of triangle t that leaves its corner k for the next one
+     inside      MESH_BELOW: where field < level; MESH_ABOVE: where field >= level. A vertex exactly at the level is
+                 thus above it, in every triangle that it belongs to, and the two parts make up the whole mesh.
+     loop        has the inside on its left, seen from outside. A component of the inside that is a disc has one loop,
+                 with S > 0 on surfaces like a sphere; a hole in it has a loop of its own that runs round the
+                 hole the other way, with S < 0: surfmink refuses it as clockwise, or measures the hole if reversed.
+
+   MEMORY AND COST
+     Arrays come from malloc. mesh_free and mesh_free_loops give them back; the field of mesh_read_field goes to free.
+     When a call fails there is nothing to free from it: the mesh or loops that it should have made are empty.
+     Every step takes linear time. No globals; strtod and printf heed the locale, so leave LC_NUMERIC at "C". */
+#ifndef SURFMINK_MESH_H
+#define SURFMINK_MESH_H
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What may be wrong with a mesh. error.text says it in a sentence that begins with FILE:LINE. */
+enum mesh_status {
+    MESH_OK = 0,
+    MESH_NO_MEMORY = 1,
+    MESH_UNREADABLE = 2,    /* the file cannot be opened or read */
+    MESH_MALFORMED = 3,     /* a line is not what the format asks for; too few or too many of them */
+    MESH_NOT_TRIANGLES = 4, /* a face with more or fewer corners than 3 */
+    MESH_BAD_INDEX = 5,     /* a face names a vertex that is not there, or one of them twice */
+    MESH_TOO_LARGE = 6,     /* 2^32 half-edges or more */
+    MESH_NOT_MANIFOLD = 7,  /* an edge with more than two triangles: there is no surface there */
+    MESH_NOT_ORIENTED = 8,  /* two neighbours whose corners run the opposite way round */
+    MESH_NO_NORMAL = 9,     /* the triangles at a vertex have no area, or their normals cancel */
+    MESH_NOT_FINITE = 10,   /* a NaN or an infinity in a field or a level */
+    MESH_BAD_ARGUMENT = 11  /* a step was left out: connect, normals */
+};
+
+typedef struct mesh_error {
+    int status;
+    char text[512]; /* a long file name is cut short here */
+} mesh_error;
+
+typedef struct mesh {
+    size_t vertices, triangles;
+    double *vertex;        /* 3 per vertex: x y z */
+    uint32_t *triangle;    /* 3 per triangle: numbers of its vertices */
+    uint32_t *line;        /* 1 per triangle: where the file has it; NULL if it comes from no file */
+    char *name;            /* the file; NULL if there is none */
+    uint32_t *twin;        /* from mesh_connect: the half-edge on the other side, or MESH_NONE at the boundary */
+    size_t edges;          /* from mesh_connect */
+    size_t boundary_edges; /* from mesh_connect: 0 for a closed mesh */
+    size_t pinched;        /* from mesh_connect: vertices where sheets touch that share no edge; harmless to loops, but
+                              the normal there is a mean over the sheets */
+    double *normal;        /* from mesh_normals: 3 per vertex, of unit length; 0 at a vertex without triangles */
+} mesh;
+
+#define MESH_NONE UINT32_MAX
+
+enum mesh_inside { MESH_BELOW = 0, MESH_ABOVE = 1 };
+
+/* The outlines of one level. */
+typedef struct mesh_loops {
+    size_t loops;
+    size_t *start;    /* loops + 1: loop k has the corners start[k] .. start[k + 1] - 1, at least 3 */
+    double *corner;   /* 3 per corner */
+    double *normal;   /* 3 per corner, of unit length */
+    double area;      /* W_0 of the inside, exact for the flat triangles, open curves or not */
+    size_t open;      /* curves that end at the boundary of the mesh: left out */
+    size_t collapsed; /* loops around a vertex or a ridge exactly at the level, no wider than rounding: left out */
+} mesh_loops;
+
+enum mesh_base { MESH_ICOSAHEDRON = 20, MESH_OCTAHEDRON = 8 };
+
+/* Notes down what is wrong and returns the status. line = 0: the file as a whole. */
+static inline int mesh__fail(mesh_error *error, int status, const char *name, size_t line, const char *format, ...)
+{
+    va_list arguments;
+    char where[256];
+    size_t used;
+    if (!error) return status;
+    error->status = status;
+    if (name && line)
+        snprintf(where, sizeof where, "%.220s:%lu: ", name, (unsigned long)line);
+    else if (name)
+        snprintf(where, sizeof where, "%.220s: ", name);
+    else
+        where[0] = 0;
+    used = strlen(where);
+    memcpy(error->text, where, used + 1);
+    va_start(arguments, format);
+    vsnprintf(error->text + used, sizeof error->text - used, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+/* Gives the arrays back and leaves an empty mesh. */
+static inline void mesh_free(mesh *m)
+{
+    free(m->vertex);
+    free(m->triangle);
+    free(m->line);
+    free(m->name);
+    free(m->twin);
+    free(m->normal);
+    memset(m, 0, sizeof *m);
+}
+
+/* --- 1. read: file -> vertices, triangles ------------------------------------------------------------------------- */
+
+typedef struct mesh__reader {
+    FILE *file;
+    const char *name;
+    char *text; /* the line as it is being read, of room bytes */
+    size_t line, room;
+    int again; /* the next line is this one: it has been looked at to tell the format */
+    mesh_error *error;
+} mesh__reader;
+
+/* The array with room for at least one more item, or NULL if there is no memory: then it is as before. */
+static inline void *mesh__grow(void *array, size_t used, size_t *room, size_t bytes)
+{
+    size_t more = *room ? 2 * *room : 64;
+    void *grown;
+    if (used < *room) return array;
+    if (more > SIZE_MAX / 2 / bytes) return NULL;
+    grown = realloc(array, more * bytes);
+    if (grown) *room = more;
+    return grown;
+}
+
+static inline int mesh__no_memory(mesh_error *error, const char *name)
+{
+    return mesh__fail(error, MESH_NO_MEMORY, name, 0, "out of memory");
+}
+
+/* A complaint about the line at hand, which quotes what stands there (cut short). */
+static inline int mesh__malformed(const mesh__reader *r, const char *wanted, const char *found)
+{
+    size_t length = strcspn(found += strspn(found, " \t\r\n"), "\r\n");
+    if (!length) return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "expected %s, the line ends", wanted);
+    return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "expected %s, got '%.*s'", wanted,
+                      length < 40 ? (int)length : 40, found);
+}
+
+/* The next line with something on it, comments (from # on) blanked out if there may be any. *got = 0 at the end. */
+static inline int mesh__line(mesh__reader *r, int comments, int *got)
+{
+    *got = 1;
+    if (r->again) {
+        r->again = 0;
+        return MESH_OK;
+    }
+    for (;;) {
+        size_t used = 0;
+        int c;
+        while ((c = getc(r->file)) != EOF) {
+            void *grown = mesh__grow(r->text, used + 1, &r->room, 1);
+            if (!grown) return mesh__no_memory(r->error, r->name);
+            r->text = (char *)grown;
+            if (c == '\n') break;
+            if (c == 0)
+                return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line + 1, "a zero byte: not a text file");
+            r->text[used++] = (char)c;
+        }
+        if (c == EOF && ferror(r->file)) return mesh__fail(r->error, MESH_UNREADABLE, r->name, 0, "cannot be read");
+        if (c == EOF && !used) {
+            *got = 0;
+            return MESH_OK;
+        }
+        ++r->line;
+        r->text[used] = 0;
+        if (comments) r->text[strcspn(r->text, "#")] = 0;
+        if (r->text[strspn(r->text, " \t\r")]) return MESH_OK;
+    }
+}
+
+/* Reads a finite number at *at, or an integer, and moves on behind it; 0 if there is none. */
+static inline int mesh__number(char **at, double *x)
+{
+    char *end;
+    *x = strtod(*at, &end);
+    if (end == *at || (*end && !strchr(" \t\r", *end)) || !(fabs(*x) <= DBL_MAX)) return 0;
+    *at = end;
+    return 1;
+}
+
+static inline int mesh__integer(char **at, const char *delimiters, long *k)
+{
+    char *end;
+    *k = strtol(*at, &end, 10);
+    if (end == *at || (*end && !strchr(delimiters, *end))) return 0;
+    *at = end;
+    return 1;
+}
+
+/* Whether the word comes next on the line; if so, moves on behind it. */
+static inline int mesh__word(char **at, const char *word)
+{
+    char *from = *at + strspn(*at, " \t");
+    size_t length = strlen(word);
+    if (strncmp(from, word, length) || (from[length] && !strchr(" \t\r", from[length]))) return 0;
+    *at = from + length;
+    return 1;
+}
+
+static inline int mesh__add_vertex(mesh__reader *r, mesh *m, size_t *room, char **at)
+{
+    static const char *const wanted[3] = {"a finite x", "a finite y", "a finite z"};
+    void *grown = mesh__grow(m->vertex, m->vertices, room, 3 * sizeof(double));
+    int c;
+    if (!grown) return mesh__no_memory(r->error, r->name);
+    m->vertex = (double *)grown;
+    if (m->vertices >= MESH_NONE) return mesh__fail(r->error, MESH_TOO_LARGE, r->name, r->line, "too many vertices");
+    for (c = 0; c < 3; ++c)
+        if (!mesh__number(at, &m->vertex[3 * m->vertices + (size_t)c])) return mesh__malformed(r, wanted[c], *at);
+    ++m->vertices;
+    return MESH_OK;
+}
+
+/* Adds a triangle of vertices counted from 0; they are looked up when all have been read. */
+static inline int mesh__add_triangle(mesh__reader *r, mesh *m, size_t room[2], const long corner[3])
+{
+    void *grown = mesh__grow(m->triangle, m->triangles, &room[0], 3 * sizeof *m->triangle);
+    int c;
+    if (grown) m->triangle = (uint32_t *)grown;
+    if (grown) grown = mesh__grow(m->line, m->triangles, &room[1], sizeof *m->line);
+    if (!grown) return mesh__no_memory(r->error, r->name);
+    m->line = (uint32_t *)grown;
+    if (m->triangles >= MESH_NONE / 3 || r->line >= MESH_NONE)
+        return mesh__fail(r->error, MESH_TOO_LARGE, r->name, r->line, "too many triangles or lines");
+    for (c = 0; c < 3; ++c) {
+        if (corner[c] < 0 || (unsigned long)corner[c] >= MESH_NONE)
+            return mesh__fail(r->error, MESH_BAD_INDEX, r->name, r->line, "there is no vertex %ld", corner[c]);
+        m->triangle[3 * m->triangles + (size_t)c] = (uint32_t)corner[c];
+    }
+    m->line[m->triangles++] = (uint32_t)r->line;
+    return MESH_OK;
+}
+
+/* A face as OFF and PLY write it: 3 a b c. */
+static inline int mesh__add_face(mesh__reader *r, mesh *m, size_t room[2], char **at)
+{
+    long corners, corner[3];
+    int c;
+    if (!mesh__integer(at, " \t\r", &corners)) return mesh__malformed(r, "a number of corners", *at);
+    if (corners != 3)
+        return mesh__fail(r->error, MESH_NOT_TRIANGLES, r->name, r->line, "a face of %ld corners, not 3", corners);
+    for (c = 0; c < 3; ++c)
+        if (!mesh__integer(at, " \t\r", &corner[c])) return mesh__malformed(r, "the number of a vertex", *at);
+    return mesh__add_triangle(r, m, room, corner);
+}
+
+static inline int mesh__ends(const mesh__reader *r, long after, long promised, const char *what)
+{
+    return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the file ends after %ld of %ld %s", after, promised,
+                      what);
+}
+
+/* OFF: the word OFF (or COFF, NOFF, ...), numbers of vertices, faces and edges, vertices, faces. What follows the three
+   coordinates (a normal, a colour) is not looked at. */
+static inline int mesh__read_off(mesh__reader *r, mesh *m)
+{
+    size_t vertex_room = 0, room[2] = {0, 0};
+    long count[2], k;
+    char *at = strstr(r->text, "OFF") + 3;
+    int got, status;
+    r->again = 0;
+    if (mesh__word(&at, "BINARY"))
+        return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "binary OFF: only text is read");
+    if (!at[strspn(at, " \t\r")]) { /* the counts stand on the next line, or behind the word */
+        status = mesh__line(r, 1, &got);
+        if (status) return status;
+        if (!got) return mesh__ends(r, 0, 2, "counts");
+        at = r->text;
+    }
+    for (k = 0; k < 2; ++k)
+        if (!mesh__integer(&at, " \t\r", &count[k]) || count[k] < 0)
+            return mesh__malformed(r, "the numbers of vertices and faces", at);
+    for (k = 0; k < count[0] + count[1]; ++k) {
+        status = mesh__line(r, 1, &got);
+        if (status) return status;
+        if (!got)
+            return k < count[0] ? mesh__ends(r, k, count[0], "vertices")
+                                : mesh__ends(r, k - count[0], count[1], "faces");
+        at = r->text;
+        status = k < count[0] ? mesh__add_vertex(r, m, &vertex_room, &at) : mesh__add_face(r, m, room, &at);
+        if (status) return status;
+    }
+    status = mesh__line(r, 1, &got);
+    return status || !got ? status : mesh__malformed(r, "the end of the file after its last face", r->text);
+}
+
+/* OBJ: lines v x y z and f a b c (also a/1 a//1 a/1/1, and -1 for the latest vertex); every other line is skipped. */
+static inline int mesh__read_obj(mesh__reader *r, mesh *m)
+{
+    size_t vertex_room = 0, room[2] = {0, 0};
+    for (;;) {
+        char *at;
+        int got, c, status = mesh__line(r, 1, &got);
+        if (status || !got) return status;
+        at = r->text;
+        if (mesh__word(&at, "v")) {
+            status = mesh__add_vertex(r, m, &vertex_room, &at);
+        } else if (mesh__word(&at, "f")) {
+            long corner[3];
+            for (c = 0; at[strspn(at, " \t\r")]; ++c) {
+                long k;
+                if (!mesh__integer(&at, "/ \t\r", &k)) return mesh__malformed(r, "the number of a vertex", at);
+                if (k == 0) return mesh__fail(r->error, MESH_BAD_INDEX, r->name, r->line, "OBJ counts vertices from 1");
+                if (c < 3) corner[c] = k > 0 ? k - 1 : k + (long)m->vertices;
+                at += strcspn(at, " \t\r");
+            }
+            if (c != 3)
+                return mesh__fail(r->error, MESH_NOT_TRIANGLES, r->name, r->line, "a face of %d corners, not 3", c);
+            status = mesh__add_triangle(r, m, room, corner);
+        }
+        if (status) return status;
+    }
+}
+
+/* PLY: a header that names elements (vertex, face, others) and their properties, then one line for each element. */
+static inline int mesh__read_ply(mesh__reader *r, mesh *m)
+{
+    enum { ELEMENTS = 16, PROPERTIES = 64 };
+    struct { /* a property is x, y, z, f (the list of corners), or of no interest: s (scalar) or l (list) */
+        char kind, property[PROPERTIES + 1];
+        long count;
+    } element[ELEMENTS];
+    size_t vertex_room = 0, room[2] = {0, 0};
+    int elements = 0, ascii = 0, got, e, status;
+    r->again = 0;
+    for (;;) {
+        char *at, *type;
+        status = mesh__line(r, 0, &got);
+        if (status) return status;
+        if (!got) return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the file ends before end_header");
+        at = r->text;
+        if (mesh__word(&at, "end_header")) break;
+        if (mesh__word(&at, "format")) {
+            if (!mesh__word(&at, "ascii")) return mesh__malformed(r, "format ascii: binary PLY is not read", r->text);
+            ascii = 1;
+        } else if (mesh__word(&at, "element")) {
+            if (elements == ELEMENTS) return mesh__malformed(r, "at most 16 kinds of elements", r->text);
+            memset(&element[elements], 0, sizeof element[elements]);
+            element[elements].kind = mesh__word(&at, "vertex") ? 'v' : mesh__word(&at, "face") ? 'f' : 's';
+            if (element[elements].kind == 's') at += strspn(at, " \t"), at += strcspn(at, " \t\r");
+            if (!mesh__integer(&at, " \t\r", &element[elements].count) || element[elements].count < 0)
+                return mesh__malformed(r, "a number of elements", at);
+            ++elements;
+        } else if (mesh__word(&at, "property")) {
+            char *property = elements ? element[elements - 1].property : NULL, kind = 's';
+            if (!property || strlen(property) == PROPERTIES)
+                return mesh__malformed(r, "an element first, and at most 64 properties of it", r->text);
+            if (mesh__word(&at, "list")) {
+                kind = 'l';
+                at += strspn(at, " \t"), at += strcspn(at, " \t\r"); /* the type of the count */
+            }
+            type = at += strspn(at, " \t"), at += strcspn(at, " \t\r");
+            if (at == type) return mesh__malformed(r, "a type and a name", type);
+            if (kind == 's' && element[elements - 1].kind == 'v')
+                kind = mesh__word(&at, "x") ? 'x' : mesh__word(&at, "y") ? 'y' : mesh__word(&at, "z") ? 'z' : 's';
+            if (kind == 'l' && element[elements - 1].kind == 'f')
+                kind = mesh__word(&at, "vertex_indices") || mesh__word(&at, "vertex_index") ? 'f' : 'l';
+            property[strlen(property)] = kind;
+        } else if (!mesh__word(&at, "comment") && !mesh__word(&at, "obj_info")) {
+            return mesh__malformed(r, "a line of a PLY header", r->text);
+        }
+    }
+    if (!ascii)
+        return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the header has no line 'format ascii 1.0'");
+    for (e = 0; e < elements; ++e) {
+        const char *property = element[e].property, *p, kind = element[e].kind;
+        long k;
+        if (kind == 'v' && !strstr(property, "xyz"))
+            return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the vertices have no x, y, z in this order");
+        if (kind == 'f' && !strchr(property, 'f'))
+            return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the faces have no list vertex_indices");
+        for (k = 0; k < element[e].count; ++k) {
+            char *at;
+            status = mesh__line(r, 0, &got);
+            if (status) return status;
+            if (!got)
+                return mesh__ends(r, k, element[e].count,
+                                  kind == 'v'   ? "vertices"
+                                  : kind == 'f' ? "faces"
+                                                : "other elements");
+            at = r->text;
+            for (p = property; *p; ++p) {
+                double ignored;
+                long list = 1;
+                if (*p == 'f')
+                    status = mesh__add_face(r, m, room, &at);
+                else if (*p == 'x')
+                    status = mesh__add_vertex(r, m, &vertex_room, &at);
+                if (status) return status;
+                if (*p == 'l' && !mesh__integer(&at, " \t\r", &list))
+                    return mesh__malformed(r, "the length of a list", at);
+                if (*p == 's' || *p == 'l')
+                    for (; list > 0; --list)
+                        if (!mesh__number(&at, &ignored)) return mesh__malformed(r, "a number for each property", at);
+            }
+            if (at[strspn(at, " \t\r")]) return mesh__malformed(r, "no more numbers than properties", at);
+        }
+    }
+    status = mesh__line(r, 0, &got);
+    return status || !got ? status : mesh__malformed(r, "the end of the file after its last element", r->text);
+}
+
+/* A format is known by its first line, whatever the file is called. */
+static inline int mesh__read_any(mesh__reader *r, mesh *m)
+{
+    static const char *const obj[] = {"v", "vn", "vt", "vp", "f", "o", "g", "s", "l", "p", "mtllib", "usemtl"};
+    char *at;
+    size_t k;
+    int got, status = mesh__line(r, 1, &got);
+    if (status) return status;
+    if (!got) return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the file is empty");
+    at = r->text;
+    r->again = 1;
+    if (mesh__word(&at, "ply")) return mesh__read_ply(r, m);
+    for (k = 0; k < sizeof obj / sizeof *obj; ++k)
+        if (mesh__word(&at, obj[k])) return mesh__read_obj(r, m);
+    at += strspn(at, " \tSTCN"); /* texture, colours, normals; not 4OFF and nOFF: they are not in space */
+    if (!strncmp(at, "OFF", 3) && (!at[3] || strchr(" \t\r", at[3]))) return mesh__read_off(r, m);
+    return mesh__malformed(r, "an OFF, OBJ or PLY mesh", r->text);
+}
+
+/* Reads a mesh from an open file, which stays open; its name is for complaints.
+   m           out: vertices and triangles as in the file, in its order; also vertices that no triangle uses
+   Errors: UNREADABLE, MALFORMED, NOT_TRIANGLES, BAD_INDEX, TOO_LARGE, NO_MEMORY; error may be NULL. */
+static inline int mesh_read_stream(mesh *m, FILE *file, const char *name, mesh_error *error)
+{
+    mesh__reader r;
+    size_t h;
+    int status;
+    memset(m, 0, sizeof *m);
+    memset(&r, 0, sizeof r);
+    r.file = file;
+    r.name = name;
+    r.error = error;
+    status = mesh__read_any(&r, m);
+    free(r.text);
+    for (h = 0; !status && h < 3 * m->triangles; ++h) {
+        uint32_t from = m->triangle[h], to = m->triangle[h % 3 < 2 ? h + 1 : h - 2];
+        if (from >= m->vertices)
+            status = mesh__fail(error, MESH_BAD_INDEX, name, m->line[h / 3],
+                                "there is no vertex %lu, counted from 0: there are %lu", (unsigned long)from,
+                                (unsigned long)m->vertices);
+        else if (from == to)
+            status = mesh__fail(error, MESH_BAD_INDEX, name, m->line[h / 3],
+                                "a triangle has vertex %lu twice, counted from 0", (unsigned long)from);
+    }
+    if (!status && !m->triangles) status = mesh__fail(error, MESH_MALFORMED, name, 0, "there are no triangles in it");
+    if (!status && !(m->name = (char *)malloc(strlen(name) + 1))) status = mesh__no_memory(error, name);
+    if (status)
+        mesh_free(m);
+    else
+        strcpy(m->name, name);
+    return status;
+}
+
+/* The same from a file that is opened and closed here. "-" is standard input. */
+static inline int mesh_read(mesh *m, const char *path, mesh_error *error)
+{
+    FILE *file = strcmp(path, "-") ? fopen(path, "r") : stdin;
+    int status;
+    memset(m, 0, sizeof *m);
+    if (!file) return mesh__fail(error, MESH_UNREADABLE, path, 0, "cannot be opened");
+    status = mesh_read_stream(m, file, path, error);
+    if (file != stdin) fclose(file);
+    return status;
+}
+
+/* Reads a scalar for each vertex of the mesh, one a line; comments (from # on) and blank lines are skipped.
+   *field      m->vertices  out: to be freed by the caller
+   Errors: UNREADABLE, MALFORMED (also: too few or too many values), NO_MEMORY; error may be NULL. */
+static inline int mesh_read_field_stream(const mesh *m, FILE *file, const char *name, double **field, mesh_error *error)
+{
+    mesh__reader r;
+    size_t k;
+    int got = 1, status = MESH_OK;
+    memset(&r, 0, sizeof r);
+    r.file = file;
+    r.name = name;
+    r.error = error;
+    *field = (double *)malloc((m->vertices + 1) * sizeof **field);
+    if (!*field) status = mesh__no_memory(error, name);
+    for (k = 0; !status; ++k) {
+        char *at;
+        status = mesh__line(&r, 1, &got);
+        if (status || !got) break;
+        at = r.text;
+        if (k == m->vertices)
+            status = mesh__fail(error, MESH_MALFORMED, name, r.line, "a value too many: the mesh has %lu vertices",
+                                (unsigned long)k);
+        else if (!mesh__number(&at, &(*field)[k]) || at[strspn(at, " \t\r")])
+            status = mesh__malformed(&r, "one finite number a line", r.text);
+    }
+    if (!status && k < m->vertices)
+        status =
+            mesh__fail(error, MESH_MALFORMED, name, r.line, "the file ends after %lu values: the mesh has %lu vertices",
+                       (unsigned long)k, (unsigned long)m->vertices);
+    free(r.text);
+    if (status) {
+        free(*field);
+        *field = NULL;
+    }
+    return status;
+}
+
+/* The same from a file that is opened and closed here. "-" is standard input. */
+static inline int mesh_read_field(const mesh *m, const char *path, double **field, mesh_error *error)
+{
+    FILE *file = strcmp(path, "-") ? fopen(path, "r") : stdin;
+    int status;
+    *field = NULL;
+    if (!file) return mesh__fail(error, MESH_UNREADABLE, path, 0, "cannot be opened");
+    status = mesh_read_field_stream(m, file, path, field, error);
+    if (file != stdin) fclose(file);
+    return status;
+}
+
+/* --- 2. connect: triangles -> which edge meets which -------------------------------------------------------------- */
+
+/* The next half-edge round the same triangle. */
+static inline size_t mesh__next(size_t h)
+{
+    return h % 3 < 2 ? h + 1 : h - 2;
+}
+
+/* The larger (end = 1) or smaller (end = 0) vertex of a half-edge. */
+static inline uint32_t mesh__end(const mesh *m, size_t h, int end)
+{
+    uint32_t a = m->triangle[h], b = m->triangle[mesh__next(h)];
+    return (a > b) == end ? a : b;
+}
+
+/* Sorts half-edges by one of their ends, in linear time; those with equal ends keep their order.
+   place: m->vertices + 1 numbers to work in. */
+static inline void mesh__sort(const mesh *m, int end, const uint32_t *from, uint32_t *to, size_t *place)
+{
+    size_t halves = 3 * m->triangles, h, v;
+    memset(place, 0, (m->vertices + 1) * sizeof *place);
+    for (h = 0; h < halves; ++h) ++place[mesh__end(m, h, end) + 1];
+    for (v = 0; v < m->vertices; ++v) place[v + 1] += place[v];
+    for (h = 0; h < halves; ++h) {
+        uint32_t half = from ? from[h] : (uint32_t)h;
+        to[place[mesh__end(m, half, end)]++] = half;
+    }
+}
+
+/* Walks round a vertex from one of the half-edges that leave it, as far as triangles share edges. */
+static inline void mesh__fan(const mesh *m, size_t h, unsigned char *seen)
+{
+    uint32_t twin;
+    do {
+        seen[h] = 1;
+        twin = m->twin[mesh__next(mesh__next(h))]; /* beyond the side that comes back to the vertex */
+        if (twin == MESH_NONE) return;
+        h = twin;
+    } while (!seen[h]);
+}
+
+/* Counts vertices with more than one fan of triangles round them. */
+static inline size_t mesh__count_pinched(const mesh *m, unsigned char *seen, unsigned char *fans)
+{
+    size_t halves = 3 * m->triangles, pinched = 0, h;
+    int closed;
+    for (closed = 0; closed < 2; ++closed) /* fans that end at a boundary are walked first, from their first side */
+        for (h = 0; h < halves; ++h)
+            if (!seen[h] && (closed || m->twin[h] == MESH_NONE)) {
+                unsigned char *fan = &fans[m->triangle[h]];
+                mesh__fan(m, h, seen);
+                if (*fan == 1) ++pinched;
+                if (*fan < 2) ++*fan;
+            }
+    return pinched;
+}
+
+/* Finds for each half-edge its twin on the other side of the edge, and counts edges.
+   Errors: NOT_MANIFOLD, NOT_ORIENTED, NO_MEMORY; the mesh is then as before. Cost: O(vertices + triangles). */
+static inline int mesh_connect(mesh *m, mesh_error *error)
+{
+    size_t halves = 3 * m->triangles, edges = 0, boundary = 0, h, group;
+    uint32_t *twin = (uint32_t *)malloc((halves + 1) * sizeof *twin);
+    uint32_t *sorted = (uint32_t *)malloc((halves + 1) * sizeof *sorted);
+    size_t *place = (size_t *)malloc((m->vertices + 1) * sizeof *place);
+    unsigned char *seen = NULL, *fans = NULL;
+    int status = twin && sorted && place ? MESH_OK : mesh__no_memory(error, m->name);
+    if (!status) { /* two sorts bring together the half-edges of one edge */
+        mesh__sort(m, 1, NULL, twin, place);
+        mesh__sort(m, 0, twin, sorted, place);
+        seen = (unsigned char *)calloc(halves + 1, 1);
+        fans = (unsigned char *)calloc(m->vertices + 1, 1);
+        if (!seen || !fans) status = mesh__no_memory(error, m->name);
+    }
+    for (h = 0; !status && h < halves; h += group) {
+        uint32_t low = mesh__end(m, sorted[h], 0), high = mesh__end(m, sorted[h], 1);
+        for (group = 1; h + group < halves && mesh__end(m, sorted[h + group], 0) == low &&
+                        mesh__end(m, sorted[h + group], 1) == high;
+             ++group)
+            continue;
+        ++edges;
+        if (group == 1) {
+            ++boundary;
+            twin[sorted[h]] = MESH_NONE;
+        } else if (group > 2) {
+            status = mesh__fail(error, MESH_NOT_MANIFOLD, m->name, m->line ? m->line[sorted[h + 2] / 3] : 0,
+                                "the edge between vertices %lu and %lu (from 0) has %lu triangles: not a surface",
+                                (unsigned long)low, (unsigned long)high, (unsigned long)group);
+        } else if (m->triangle[sorted[h]] == m->triangle[sorted[h + 1]]) {
+            status = mesh__fail(error, MESH_NOT_ORIENTED, m->name, m->line ? m->line[sorted[h + 1] / 3] : 0,
+                                "the triangles at the edge between vertices %lu and %lu (from 0) run opposite ways",
+                                (unsigned long)low, (unsigned long)high);
+        } else {
+            twin[sorted[h]] = sorted[h + 1];
+            twin[sorted[h + 1]] = sorted[h];
+        }
+    }
+    if (!status) {
+        free(m->twin);
+        m->twin = twin;
+        twin = NULL;
+        m->edges = edges;
+        m->boundary_edges = boundary;
+        m->pinched = mesh__count_pinched(m, seen, fans);
+    }
+    free(twin);
+    free(sorted);
+    free(place);
+    free(seen);
+    free(fans);
+    return status;
+}
+
+/* Turns every triangle round, so that the other side is outside; connect and normals have to be done again. */
+static inline void mesh_flip(mesh *m)
+{
+    size_t t;
+    for (t = 0; t < m->triangles; ++t) {
+        uint32_t *corner = m->triangle + 3 * t, last = corner[2];
+        corner[2] = corner[1];
+        corner[1] = last;
+    }
+    free(m->twin);
+    free(m->normal);
+    m->twin = NULL;
+    m->normal = NULL;
+}
+
+/* --- 3. normals: triangles -> unit normal per vertex -------------------------------------------------------------- */
+
+/* Twice the area of a triangle, along its normal. */
+static inline void mesh__double_area(const mesh *m, size_t t, double out[3])
+{
+    const double *a = m->vertex + 3 * (size_t)m->triangle[3 * t], *b = m->vertex + 3 * (size_t)m->triangle[3 * t + 1],
+                 *c = m->vertex + 3 * (size_t)m->triangle[3 * t + 2];
+    double u[3], v[3];
+    int k;
+    for (k = 0; k < 3; ++k) u[k] = b[k] - a[k], v[k] = c[k] - a[k];
+    out[0] = u[1] * v[2] - u[2] * v[1];
+    out[1] = u[2] * v[0] - u[0] * v[2];
+    out[2] = u[0] * v[1] - u[1] * v[0];
+}
+
+static inline double mesh__length(const double x[3])
+{
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+/* Unit normals at the vertices: the sum of the normals of the triangles there, weighted by area, normalised.
+   Errors: NO_NORMAL, NO_MEMORY; the mesh is then as before. Cost: O(vertices + triangles). */
+static inline int mesh_normals(mesh *m, mesh_error *error)
+{
+    double *normal = (double *)calloc(3 * m->vertices + 1, sizeof *normal);
+    size_t t, v;
+    int c, k;
+    if (!normal) return mesh__no_memory(error, m->name);
+    for (t = 0; t < m->triangles; ++t) {
+        double n[3];
+        mesh__double_area(m, t, n);
+        for (k = 0; k < 3; ++k)
+            for (c = 0; c < 3; ++c) normal[3 * (size_t)m->triangle[3 * t + (size_t)k] + (size_t)c] += n[c];
+    }
+    for (t = 0; t < 3 * m->triangles; ++t) { /* not over the vertices: those without triangles need no normal */
+        double *n = normal + 3 * (size_t)m->triangle[t], length = mesh__length(n);
+        if (!(length > 0 && length <= DBL_MAX)) {
+            v = m->triangle[t];
+            free(normal);
+            return mesh__fail(error, MESH_NO_NORMAL, m->name, m->line ? m->line[t / 3] : 0,
+                              "vertex %lu (from 0) has no normal: its triangles have no area, or cancel",
+                              (unsigned long)v);
+        }
+        for (c = 0; c < 3; ++c) n[c] /= length;
+    }
+    free(m->normal);
+    m->normal = normal;
+    return MESH_OK;
+}
+
+/* --- 4. level set: field on the vertices -> loops ----------------------------------------------------------------- */
+
+/* Adds to a sum that remembers its rounding error: sum[0] + sum[1] is right to the last digit for millions of terms. */
+static inline void mesh__add(double sum[2], double x)
+{
+    double total = sum[0] + x;
+    sum[1] += fabs(sum[0]) >= fabs(x) ? (sum[0] - total) + x : (x - total) + sum[0];
+    sum[0] = total;
+}
+
+/* Area of the mesh. */
+static inline double mesh_area(const mesh *m)
+{
+    double sum[2] = {0, 0}, n[3];
+    size_t t;
+    for (t = 0; t < m->triangles; ++t) {
+        mesh__double_area(m, t, n);
+        mesh__add(sum, mesh__length(n) / 2);
+    }
+    return sum[0] + sum[1];
+}
+
+/* Volume inside a closed mesh; negative if it is inside out, so that its normals point inwards. */
+static inline double mesh_volume(const mesh *m)
+{
+    double sum[2] = {0, 0}, n[3];
+    size_t t;
+    for (t = 0; t < m->triangles; ++t) {
+        const double *o = m->vertex + 3 * (size_t)m->triangle[0], *a = m->vertex + 3 * (size_t)m->triangle[3 * t];
+        mesh__double_area(m, t, n);
+        mesh__add(sum, ((a[0] - o[0]) * n[0] + (a[1] - o[1]) * n[1] + (a[2] - o[2]) * n[2]) / 6);
+    }
+    return sum[0] + sum[1];
+}
+
+/* The longest edge of the mesh: the h of convergence studies. */
+static inline double mesh_longest_edge(const mesh *m)
+{
+    double longest = 0;
+    size_t h;
+    for (h = 0; h < 3 * m->triangles; ++h) {
+        const double *a = m->vertex + 3 * (size_t)m->triangle[h],
+                     *b = m->vertex + 3 * (size_t)m->triangle[mesh__next(h)];
+        double d[3];
+        int c;
+        for (c = 0; c < 3; ++c) d[c] = a[c] - b[c];
+        longest = fmax(longest, mesh__length(d));
+    }
+    return longest;
+}
+
+/* Gives the arrays back and leaves no loops. */
+static inline void mesh_free_loops(mesh_loops *loops)
+{
+    free(loops->start);
+    free(loops->corner);
+    free(loops->normal);
+    memset(loops, 0, sizeof *loops);
+}
+
+/* How far the level is on the way from one end of an edge to the other: exactly 0 and 1 at the ends. */
+static inline double mesh__fraction(double from, double to, double level)
+{
+    if (fabs(to - from) <= DBL_MAX) return (level - from) / (to - from);
+    return (level / 2 - from / 2) / (to / 2 - from / 2); /* the difference overflows, that of the halves does not */
+}
+
+/* The share of a triangle that lies below the level. */
+static inline double mesh__share_below(const double f[3], double level)
+{
+    int below = (f[0] < level) + (f[1] < level) + (f[2] < level), k = 0;
+    double share;
+    if (below == 0 || below == 3) return below / 3;
+    while ((f[k] < level) != (below == 1)) ++k; /* the one corner that is on its side alone */
+    share = mesh__fraction(f[k], f[(k + 1) % 3], level) * mesh__fraction(f[k], f[(k + 2) % 3], level);
+    return below == 1 ? share : 1 - share;
+}
+
+/* Loops under construction: the arrays of mesh_loops, the room in them, and how much is used. */
+typedef struct mesh__trace {
+    const mesh *m;
+    const double *field;
+    double level;
+    double same; /* corners no farther apart are one */
+    mesh_loops *loops;
+    size_t corner_room, normal_room, start_room;
+    size_t begin, used;  /* corners of the loop at hand: begin .. used - 1 */
+    unsigned char *seen; /* triangles that the curves have passed */
+    mesh_error *error;
+} mesh__trace;
+
+static inline int mesh__is_same(const mesh__trace *trace, size_t i, size_t j)
+{
+    const double *x = trace->loops->corner + 3 * i, *y = trace->loops->corner + 3 * j;
+    double d[3];
+    int c;
+    for (c = 0; c < 3; ++c) d[c] = x[c] - y[c];
+    return mesh__length(d) <= trace->same;
+}
+
+/* Appends the point where the level crosses a half-edge. Round a vertex exactly at the level several edges are cut in
+   the same point: only one stays. Along a ridge exactly at the level a loop would run there and back: neither stays. */
+static inline int mesh__add_cut(mesh__trace *trace, size_t h)
+{
+    const mesh *m = trace->m;
+    size_t from = m->triangle[h], to = m->triangle[mesh__next(h)];
+    double t = mesh__fraction(trace->field[from], trace->field[to], trace->level);
+    double s = mesh__fraction(trace->field[to], trace->field[from], trace->level), *x, *n, length;
+    void *grown = mesh__grow(trace->loops->corner, trace->used, &trace->corner_room, 3 * sizeof(double));
+    int c;
+    if (grown) trace->loops->corner = (double *)grown;
+    if (grown) grown = mesh__grow(trace->loops->normal, trace->used, &trace->normal_room, 3 * sizeof(double));
+    if (!grown) return mesh__no_memory(trace->error, m->name);
+    trace->loops->normal = (double *)grown;
+    x = trace->loops->corner + 3 * trace->used;
+    n = trace->loops->normal + 3 * trace->used;
+    for (c = 0; c < 3; ++c) {
+        x[c] = s * m->vertex[3 * from + (size_t)c] + t * m->vertex[3 * to + (size_t)c];
+        n[c] = s * m->normal[3 * from + (size_t)c] + t * m->normal[3 * to + (size_t)c];
+    }
+    length = mesh__length(n);
+    if (!(length > 0))
+        return mesh__fail(trace->error, MESH_NO_NORMAL, m->name, m->line ? m->line[h / 3] : 0,
+                          "the normals at vertices %lu and %lu (from 0) are opposite", (unsigned long)from,
+                          (unsigned long)to);
+    for (c = 0; c < 3; ++c) n[c] /= length;
+    if (trace->used > trace->begin && mesh__is_same(trace, trace->used - 1, trace->used)) return MESH_OK;
+    if (trace->used > trace->begin + 1 && mesh__is_same(trace, trace->used - 2, trace->used)) {
+        --trace->used;
+        return MESH_OK;
+    }
+    ++trace->used;
+    return MESH_OK;
+}
+
+/* Closes the loop at hand: the same tidying across its seam; then it is moved to where it belongs, or dropped. */
+static inline int mesh__close(mesh__trace *trace, size_t first)
+{
+    mesh_loops *loops = trace->loops;
+    size_t begin = trace->begin, end = trace->used;
+    void *grown;
+    for (;;) {
+        if (end - begin < 2) break;
+        if (mesh__is_same(trace, begin, end - 1))
+            --end;
+        else if (end - begin > 2 && mesh__is_same(trace, begin, end - 2))
+            end -= 2;
+        else if (end - begin > 2 && mesh__is_same(trace, begin + 1, end - 1))
+            ++begin, --end;
+        else
+            break;
+    }
+    trace->begin = trace->used = first;
+    if (end - begin < 3) {
+        ++loops->collapsed;
+        return MESH_OK;
+    }
+    memmove(loops->corner + 3 * first, loops->corner + 3 * begin, 3 * (end - begin) * sizeof(double));
+    memmove(loops->normal + 3 * first, loops->normal + 3 * begin, 3 * (end - begin) * sizeof(double));
+    grown = mesh__grow(loops->start, loops->loops + 1, &trace->start_room, sizeof *loops->start);
+    if (!grown) return mesh__no_memory(trace->error, trace->m->name);
+    loops->start = (size_t *)grown;
+    loops->start[++loops->loops] = trace->begin = trace->used = first + end - begin;
+    return MESH_OK;
+}
+
+/* The half-edge of triangle t where the field rises from below the level to above it, or MESH_NONE. There the curve
+   comes in, with the part below on its left; it leaves where the field falls. */
+static inline uint32_t mesh__rise(const mesh__trace *trace, size_t t)
+{
+    size_t h;
+    for (h = 3 * t; h < 3 * t + 3; ++h)
+        if (trace->field[trace->m->triangle[h]] < trace->level &&
+            !(trace->field[trace->m->triangle[mesh__next(h)]] < trace->level))
+            return (uint32_t)h;
+    return MESH_NONE;
+}
+
+static inline size_t mesh__fall(const mesh__trace *trace, size_t rise)
+{
+    size_t h = mesh__next(rise);
+    return trace->field[trace->m->triangle[mesh__next(h)]] < trace->level ? h : mesh__next(h);
+}
+
+/* Follows the curve that comes in at a half-edge until it closes or leaves the mesh. */
+static inline int mesh__follow(mesh__trace *trace, uint32_t rise, int keep)
+{
+    size_t first = trace->used;
+    while (rise != MESH_NONE && !trace->seen[rise / 3]) {
+        int status = keep ? mesh__add_cut(trace, rise) : MESH_OK;
+        if (status) return status;
+        trace->seen[rise / 3] = 1;
+        rise = trace->m->twin[mesh__fall(trace, rise)];
+    }
+    if (!keep) return ++trace->loops->open, MESH_OK;
+    return mesh__close(trace, first);
+}
+
+/* Turns the loops round. */
+static inline void mesh__reverse(mesh_loops *loops)
+{
+    size_t k, i, j;
+    int c;
+    for (k = 0; k < loops->loops; ++k)
+        for (i = loops->start[k], j = loops->start[k + 1] - 1; i < j; ++i, --j)
+            for (c = 0; c < 3; ++c) {
+                double *x = loops->corner + c, *n = loops->normal + c, swap = x[3 * i];
+                x[3 * i] = x[3 * j], x[3 * j] = swap;
+                swap = n[3 * i], n[3 * i] = n[3 * j], n[3 * j] = swap;
+            }
+}
+
+/* Cuts the mesh where the field, linear on each triangle, has the value level.
+   m                  after mesh_connect and mesh_normals
+   field  m->vertices one finite scalar per vertex
+   inside             MESH_BELOW or MESH_ABOVE: which part is on the left of the loops and has its area measured
+   loops              out: one per component of the curve, each starting in its first triangle; corners on mesh edges,
+                      with the normals of both ends interpolated. Neighbours are more than 1e-12 of the largest
+                      coordinate apart: below that an edge of an outline is rounding noise, without a direction
+   Errors: BAD_ARGUMENT, NOT_FINITE, NO_NORMAL, NO_MEMORY; loops is then empty. Cost: O(vertices + triangles). */
+static inline int mesh_level_set(const mesh *m, const double *field, double level, int inside, mesh_loops *loops,
+                                 mesh_error *error)
+{
+    mesh__trace trace;
+    double sum[2] = {0, 0}, largest = 0;
+    size_t t, v;
+    int status = MESH_OK;
+    memset(loops, 0, sizeof *loops);
+    memset(&trace, 0, sizeof trace);
+    if (!m->twin || !m->normal || (inside != MESH_BELOW && inside != MESH_ABOVE))
+        return mesh__fail(error, MESH_BAD_ARGUMENT, m->name, 0, "a level set needs mesh_connect and mesh_normals");
+    for (v = 0; v < m->vertices; ++v)
+        if (!(fabs(field[v]) <= DBL_MAX))
+            return mesh__fail(error, MESH_NOT_FINITE, m->name, 0, "the field at vertex %lu (from 0) is not finite",
+                              (unsigned long)v);
+    if (!(fabs(level) <= DBL_MAX)) return mesh__fail(error, MESH_NOT_FINITE, m->name, 0, "the level is not finite");
+    for (v = 0; v < 3 * m->vertices; ++v) largest = fmax(largest, fabs(m->vertex[v]));
+    trace.m = m;
+    trace.field = field;
+    trace.level = level;
+    trace.same = 1e-12 * largest;
+    trace.loops = loops;
+    trace.error = error;
+    trace.seen = (unsigned char *)calloc(m->triangles + 1, 1);
+    loops->start = (size_t *)mesh__grow(NULL, 0, &trace.start_room, sizeof *loops->start);
+    if (!trace.seen || !loops->start)
+        status = mesh__no_memory(error, m->name);
+    else
+        loops->start[0] = 0;
+    for (t = 0; !status && t < m->triangles; ++t) {
+        const uint32_t *corner = m->triangle + 3 * t, rise = mesh__rise(&trace, t);
+        double f[3], n[3], share;
+        int k;
+        for (k = 0; k < 3; ++k) f[k] = field[corner[k]];
+        share = mesh__share_below(f, level);
+        mesh__double_area(m, t, n);
+        mesh__add(sum, mesh__length(n) / 2 * (inside == MESH_BELOW ? share : 1 - share));
+        if (rise != MESH_NONE && m->twin[rise] == MESH_NONE) status = mesh__follow(&trace, rise, 0);
+    }
+    for (t = 0; !status && t < m->triangles; ++t) { /* after the curves from the boundary the rest closes */
+        const uint32_t rise = trace.seen[t] ? MESH_NONE : mesh__rise(&trace, t);
+        if (rise != MESH_NONE) status = mesh__follow(&trace, rise, 1);
+    }
+    free(trace.seen);
+    if (status) {
+        mesh_free_loops(loops);
+        return status;
+    }
+    loops->area = sum[0] + sum[1];
+    if (inside == MESH_ABOVE) mesh__reverse(loops);
+    return MESH_OK;
+}
+
+/* --- refined spheres ---------------------------------------------------------------------------------------------- */
+
+/* Splits every triangle of a closed mesh in four at the middles of its edges, which are moved out to the unit sphere.
+   Connect and normals have to be done again after it. Errors: as mesh_connect, BAD_ARGUMENT (a boundary), TOO_LARGE. */
+static inline int mesh_refine_sphere(mesh *m, mesh_error *error)
+{
+    mesh fine;
+    size_t h, t;
+    uint32_t *middle;
+    int c, status = m->twin ? MESH_OK : mesh_connect(m, error);
+    if (status) return status;
+    if (m->boundary_edges) return mesh__fail(error, MESH_BAD_ARGUMENT, m->name, 0, "only closed meshes can be refined");
+    memset(&fine, 0, sizeof fine);
+    if (m->triangles > MESH_NONE / 12 - 1) return mesh__fail(error, MESH_TOO_LARGE, NULL, 0, "too many triangles");
+    fine.vertices = m->vertices + m->edges;
+    fine.triangles = 4 * m->triangles;
+    fine.vertex = (double *)malloc(3 * fine.vertices * sizeof(double));
+    fine.triangle = (uint32_t *)malloc(3 * fine.triangles * sizeof *fine.triangle);
+    middle = (uint32_t *)malloc(3 * m->triangles * sizeof *middle);
+    if (!fine.vertex || !fine.triangle || !middle) {
+        free(middle);
+        mesh_free(&fine);
+        return mesh__no_memory(error, NULL);
+    }
+    memcpy(fine.vertex, m->vertex, 3 * m->vertices * sizeof(double));
+    fine.vertices = m->vertices;
+    for (h = 0; h < 3 * m->triangles; ++h) {
+        const double *a = m->vertex + 3 * (size_t)m->triangle[h],
+                     *b = m->vertex + 3 * (size_t)m->triangle[mesh__next(h)];
+        double *x = fine.vertex + 3 * fine.vertices, length;
+        middle[h] = m->twin[h] < h ? middle[m->twin[h]] : (uint32_t)fine.vertices;
+        if (middle[h] != fine.vertices) continue;
+        for (c = 0; c < 3; ++c) x[c] = a[c] + b[c];
+        length = mesh__length(x);
+        for (c = 0; c < 3; ++c) x[c] /= length;
+        ++fine.vertices;
+    }
+    for (t = 0; t < m->triangles; ++t) {
+        const uint32_t *v = m->triangle + 3 * t, *mid = middle + 3 * t;
+        const uint32_t four[12] = {v[0],   mid[0], mid[2], mid[0], v[1],   mid[1],
+                                   mid[2], mid[1], v[2],   mid[0], mid[1], mid[2]};
+        memcpy(fine.triangle + 12 * t, four, sizeof four);
+    }
+    free(middle);
+    mesh_free(m);
+    *m = fine;
+    return MESH_OK;
+}
+
+/* A triangulated unit sphere: a regular solid, refined `level` times.
+   base               MESH_ICOSAHEDRON or MESH_OCTAHEDRON, with corners on the axes' planes or on the axes
+   level              >= 0; base * 4^level triangles
+   Errors: BAD_ARGUMENT, TOO_LARGE, NO_MEMORY. Cost: linear in the number of triangles. */
+static inline int mesh_sphere(mesh *m, int base, int level, mesh_error *error)
+{
+    static const uint32_t twenty[60] = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                        4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                        6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
+    static const uint32_t eight[24] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    const double golden = (1 + sqrt(5.0)) / 2, length = sqrt(1 + golden * golden);
+    int k, c, status = MESH_OK;
+    memset(m, 0, sizeof *m);
+    if ((base != MESH_ICOSAHEDRON && base != MESH_OCTAHEDRON) || level < 0)
+        return mesh__fail(error, MESH_BAD_ARGUMENT, NULL, 0,
+                          "a refined sphere starts from 20 or 8 triangles, at level 0");
+    m->vertices = base == MESH_ICOSAHEDRON ? 12 : 6;
+    m->triangles = (size_t)base;
+    m->vertex = (double *)calloc(3 * m->vertices, sizeof(double));
+    m->triangle = (uint32_t *)malloc(3 * m->triangles * sizeof *m->triangle);
+    if (!m->vertex || !m->triangle)
+        status = mesh__no_memory(error, NULL);
+    else if (base == MESH_ICOSAHEDRON) {
+        for (k = 0; k < 12; ++k) { /* three golden rectangles: (-+1, +-golden, 0) and its cyclic shifts */
+            c = k / 4;
+            m->vertex[3 * k + c] = (k % 2 ? 1 : -1) / length;
+            m->vertex[3 * k + (c + 1) % 3] = (k % 4 < 2 ? golden : -golden) / length;
+        }
+        /* the shifts put the long side of the second rectangle along z, of the third along x */
+        memcpy(m->triangle, twenty, sizeof twenty);
+    } else {
+        for (k = 0; k < 6; ++k) m->vertex[3 * k + k / 2] = k % 2 ? -1 : 1;
+        memcpy(m->triangle, eight, sizeof eight);
+    }
+    for (k = 0; !status && k < level; ++k) status = mesh_refine_sphere(m, error);
+    if (status) mesh_free(m);
+    return status;
+}
+
+#endif

@@ -1,0 +1,122 @@
+/* torus.h - the torus as a surface for surfmink.h - MIT or public domain, as surfmink.h
+
+     double radius[2] = {2.0, 1.375};                                // R from the axis to the tube's middle, r of the tube
+     surfmink_implicit ring = surfmink_torus(radius);
+     surfmink_surface surface = surfmink_implicit_surface(&ring);    // corners x y z, edges are the shortest geodesics
+     surfmink_surface chart = surfmink_torus_chart(radius);          // corners phi theta, see below
+     surfmink_torus_point(radius, 0.6, 0.4, corner);                 // phi round the z axis, theta round the tube
+
+   Two points of a torus are joined by many geodesics: once round the hole, twice, across. The chart chooses: its angles
+   are not reduced modulo 2 pi, and an edge is the geodesic that the straight segment in (phi, theta) is pulled tight to.
+   So the triangles of paper 5.1 are measured on the chart.
+
+   Normals, curvature, exp, log, accuracy and errors: implicit.h, which this file needs beside it. */
+#ifndef SURFMINK_TORUS_H
+#define SURFMINK_TORUS_H
+
+#include "implicit.h"
+
+/* f = ((sqrt(x^2 + y^2) - R)^2 + z^2 - r^2) / 2 with its gradient and Hessian. shape: R > r > 0. The gradient vanishes
+   in the middle of the tube; on the z axis there is none. */
+static inline double surfmink_torus_f(const void *shape, const double x[3], double gradient[3], double hessian[6])
+{
+    const double *radius = (const double *)shape;
+    double rho = hypot(x[0], x[1]), across = rho - radius[0], ratio = radius[0] / rho, tube = hypot(across, x[2]);
+    gradient[0] = (1 - ratio) * x[0];
+    gradient[1] = (1 - ratio) * x[1];
+    gradient[2] = x[2];
+    hessian[0] = 1 - ratio + ratio * (x[0] / rho) * (x[0] / rho);
+    hessian[1] = ratio * (x[0] / rho) * (x[1] / rho);
+    hessian[2] = 0;
+    hessian[3] = 1 - ratio + ratio * (x[1] / rho) * (x[1] / rho);
+    hessian[4] = 0;
+    hessian[5] = 1;
+    return (tube - radius[1]) * (tube + radius[1]) / 2;
+}
+
+/* The torus with radius[0] = R and radius[1] = r, which must outlive it. */
+static inline surfmink_implicit surfmink_torus(const double radius[2])
+{
+    surfmink_implicit implicit;
+    implicit.f = surfmink_torus_f;
+    implicit.shape = radius;
+    return implicit;
+}
+
+/* The point of a chart: ((R + r cos theta) cos phi, (R + r cos theta) sin phi, r sin theta), radians (paper 5.1).
+   (phi, theta) is right-handed about the outer normal. */
+static inline void surfmink_torus_point(const double radius[2], double phi, double theta, double x[3])
+{
+    x[0] = (radius[0] + radius[1] * cos(theta)) * cos(phi);
+    x[1] = (radius[0] + radius[1] * cos(theta)) * sin(phi);
+    x[2] = radius[1] * sin(theta);
+}
+
+/* --- corners as phi, theta --------------------------------------------------------------------------------------- */
+
+typedef struct torus__segment {
+    const double *radius, *from, *to;
+} torus__segment;
+
+static inline void torus__segment_point(const void *context, double t, double point[3])
+{
+    const torus__segment *s = (const torus__segment *)context;
+    surfmink_torus_point(s->radius, s->from[0] + t * (s->to[0] - s->from[0]), s->from[1] + t * (s->to[1] - s->from[1]),
+                         point);
+}
+
+/* One of both ways is computed, so that the other cannot differ. */
+static inline int torus__log(void *context, const double *x, const double *y, double *length, double direction[2])
+{
+    surfmink_implicit torus = surfmink_torus((const double *)context);
+    torus__segment segment;
+    double there[2], back[2], found;
+    int k, status, reversed = x[0] > y[0] || (x[0] == y[0] && x[1] > y[1]);
+    if (x[0] == y[0] && x[1] == y[1]) return SURFMINK_COINCIDENT_CORNERS;
+    segment.radius = (const double *)context;
+    segment.from = reversed ? y : x;
+    segment.to = reversed ? x : y;
+    status = surfmink_implicit_log_along(&torus, torus__segment_point, &segment, &found, there, back);
+    if (status != SURFMINK_OK) return status;
+    *length = found;
+    for (k = 0; k < 2; ++k) direction[k] = reversed ? back[k] : there[k];
+    return SURFMINK_OK;
+}
+
+/* Angles are followed in pieces of less than half a turn, for the point alone does not tell how often it went round. */
+static inline int torus__exp(void *context, const double *x, const double direction[2], double length, double *y)
+{
+    const double *radius = (const double *)context;
+    surfmink_implicit torus = surfmink_torus(radius);
+    double start[3], point[3], now[2], angle[2], piece = (radius[0] - radius[1] < radius[1] ? radius[0] - radius[1] : radius[1]);
+    double pieces = ceil(fabs(length) / piece), i;
+    int k, status;
+    if (!(pieces < 1e6)) return SURFMINK_BAD_ARGUMENT;
+    surfmink_torus_point(radius, x[0], x[1], start);
+    now[0] = x[0];
+    now[1] = x[1];
+    for (i = 1; i <= pieces; ++i) {
+        status = surfmink_implicit_exp(&torus, start, direction, length * (i / pieces), point);
+        if (status != SURFMINK_OK) return status;
+        angle[0] = atan2(point[1], point[0]);
+        angle[1] = atan2(point[2], hypot(point[0], point[1]) - radius[0]);
+        for (k = 0; k < 2; ++k) now[k] += remainder(angle[k] - now[k], 6.28318530717958647693);
+    }
+    y[0] = now[0];
+    y[1] = now[1];
+    return SURFMINK_OK;
+}
+
+/* The torus with corners phi theta, stride 2; the frame is that of surfmink_implicit_frame at the point in space.
+   radius is read at each call and must outlive the surface. */
+static inline surfmink_surface surfmink_torus_chart(double radius[2])
+{
+    surfmink_surface surface;
+    surface.context = radius;
+    surface.stride = 2;
+    surface.log = torus__log;
+    surface.exp = torus__exp;
+    return surface;
+}
+
+#endif /* SURFMINK_TORUS_H */

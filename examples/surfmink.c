@@ -1,0 +1,191 @@
+/* surfmink.c - the command `surfmink`: a table or a mesh of outlines in, a table of their p-fold symmetry out.
+
+   compile   cc surfmink.c -o surfmink -lm
+   run       ./surfmink data/countries.tsv
+             ./surfmink --help
+
+   It is a filter, one polygon at a time:
+     0 options  what the user asked for                          command/options.h
+     1 read     a file -> lines -> polygons                      command/lines.h table.h mesh.h read.h
+     2 measure  a polygon -> repaired -> L, S, area, g, mu, theta   command/measure.h
+     3 write    -> one line of a table, or a JSON object          command/write.h
+     4 at the end, if asked for: a summary, a picture            command/summary.h picture.h svg.h */
+
+/* Only for isatty, which tells a terminal from a file. Elsewhere the command does without a progress line. */
+#if (defined(__unix__) || defined(__APPLE__)) && !defined(_POSIX_C_SOURCE)
+#define _POSIX_C_SOURCE 200112L
+#endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#define HAS_ISATTY 1
+#else
+#define HAS_ISATTY 0
+#endif
+#include <signal.h>
+#include <time.h>
+
+#define SURFMINK_IMPLEMENTATION
+#include "../surfmink.h"
+
+#include "command/options.h"
+#include "command/read.h"
+#include "command/measure.h"
+#include "command/write.h"
+#include "command/summary.h"
+#include "command/svg.h"
+
+/* What lives as long as the run. */
+typedef struct run {
+    options options;
+    polygon polygon;
+    measure measure;
+    summary summary;
+    picture picture;
+    int surface; /* of the polygons so far; AS_THE_COLUMNS_SAY before the first file */
+    int watched; /* somebody looks at standard error and not at standard output */
+    time_t started, shown;
+    unsigned long measured, refused;
+} run;
+
+/* --- progress ----------------------------------------------------------------------------------------------------- */
+
+static int is_watched(const options *o)
+{
+#if HAS_ISATTY
+    return !o->quiet && isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
+#else
+    (void)o;
+    return 0;
+#endif
+}
+
+/* Only after two seconds, and then once a second. */
+static void show_progress(run *r, const char *name)
+{
+    time_t now;
+    if (!r->watched) return;
+    now = time(NULL);
+    if (difftime(now, r->started) < 2 || difftime(now, r->shown) < 1) return;
+    r->shown = now;
+    fprintf(stderr, "\r\033[K%s: %lu polygons, %lu refused", name, r->measured + r->refused, r->refused);
+    fflush(stderr);
+    progress_is_shown = 1;
+}
+
+/* --- one polygon -------------------------------------------------------------------------------------------------- */
+
+static void check_standard_output(void)
+{
+    if (ferror(stdout)) die("surfmink: cannot write to standard output: %s", strerror(errno));
+}
+
+/* What the user could do about it. */
+static const char *advice(int status, const options *o)
+{
+    switch (status) {
+    case SURFMINK_CLOCKWISE:
+        return o->reverse == REVERSE_ALWAYS ? "; --reverse auto turns only such outlines round"
+                                            : "; --reverse auto turns such outlines round";
+    case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them";
+    case SURFMINK_BAD_ARGUMENT: return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees";
+    default: return "";
+    }
+}
+
+static void report_refusal(const run *r, const char *name)
+{
+    const measure *m = &r->measure;
+    if (r->options.quiet) return;
+    wipe_progress();
+    fflush(stdout);
+    fprintf(stderr, "%s:%lu: %s%s\n", name, m->line, surfmink_strerror(m->status), advice(m->status, &r->options));
+}
+
+static void process_polygon(run *r, const char *name)
+{
+    const options *o = &r->options;
+    measure_polygon(&r->measure, &r->polygon, o);
+    write_row(o, o->json ? JSON_OBJECT : VALUES, r->surface, r->polygon.id, &r->measure);
+    check_standard_output();
+    if (r->measure.status == SURFMINK_OK)
+        ++r->measured;
+    else {
+        ++r->refused;
+        report_refusal(r, name);
+    }
+    if (o->summary) add_to_summary(&r->summary, &r->measure, o->max_rank);
+    if (o->svg) add_to_picture(&r->picture, &r->polygon, &r->measure, o);
+    show_progress(r, name);
+}
+
+/* --- one file ----------------------------------------------------------------------------------------------------- */
+
+/* Vectors of the plane have two columns, those of space three; a picture shows one kind of surface. */
+static void check_surface(const run *r, int surface, const char *name)
+{
+    const options *o = &r->options;
+    int first = r->surface == AS_THE_COLUMNS_SAY;
+    if (o->radius > 0 && surface != SPHERE) die("%s: --radius is for spheres, and this is none", name);
+    if (o->has_view && surface == PLANE) die("%s: --view is for surfaces in space, and this is a plane", name);
+    if (!first && o->svg && surface != r->surface) die("%s: another kind of surface in the same picture", name);
+    if (!first && o->directions && !o->json && stride_of(surface) != stride_of(r->surface))
+        die("%s: directions in the plane and in space do not go into one table; --json can hold both", name);
+}
+
+static void process_file(run *r, const char *name)
+{
+    reader in;
+    open_reader(&in, name, &r->options);
+    check_surface(r, in.surface, name);
+    if (r->surface == AS_THE_COLUMNS_SAY && !r->options.json) write_row(&r->options, NAMES, in.surface, "", NULL);
+    r->surface = in.surface;
+    while (next_polygon(&in, &r->polygon)) process_polygon(r, name);
+    close_reader(&in);
+}
+
+/* --- all of it ---------------------------------------------------------------------------------------------------- */
+
+static void begin_run(run *r, int argc, char **argv)
+{
+    memset(r, 0, sizeof *r);
+    parse_options(&r->options, argc, argv);
+    begin_measure(&r->measure, r->options.max_rank);
+    begin_summary(&r->summary, r->options.max_rank);
+    r->surface = AS_THE_COLUMNS_SAY;
+    r->watched = is_watched(&r->options);
+    r->started = r->shown = time(NULL);
+}
+
+static void finish_run(run *r)
+{
+    wipe_progress();
+    fflush(stdout);
+    check_standard_output();
+    if (r->options.summary) write_summary(&r->summary, r->options.max_rank);
+    if (r->options.svg) write_picture(&r->picture, &r->options);
+}
+
+static void free_run(run *r)
+{
+    free(r->options.file);
+    free_polygon(&r->polygon);
+    end_measure(&r->measure);
+    end_summary(&r->summary);
+    free_picture(&r->picture);
+}
+
+int main(int argc, char **argv)
+{
+    run r;
+    size_t i;
+    int refused;
+#ifdef SIGPIPE
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe shall be a write error like any other, and not the silent end */
+#endif
+    begin_run(&r, argc, argv);
+    for (i = 0; i < r.options.files; ++i) process_file(&r, r.options.file[i]);
+    finish_run(&r);
+    refused = r.refused > 0;
+    free_run(&r);
+    return refused ? EXIT_REFUSED : EXIT_MEASURED;
+}

@@ -1,0 +1,711 @@
+/* accuracy.c - how wrong can surfmink be? Worst errors over random polygons, against quadruple precision.
+
+     cc -O2 -I. tests/accuracy/accuracy.c -o accuracy -lquadmath -lm     (gcc: __float128)
+     ./accuracy --polygons 100000                                        a table for each surface, the worst witness
+     ./accuracy --repeat sphere/needle 12345                             one polygon again, all its figures
+
+   The reference below shares nothing with surfmink.h: it knows directions of edges as angles in a frame of the tangent
+   plane and turns as their differences, areas on the sphere through stereographic projection. Corners are doubles and
+   taken as exact; polygons that surfmink refuses are counted, not judged.
+
+   mu, angle and S are judged against 1 + condition (sum |alpha| / S), the area against how much its triangles cancel;
+   the exit status is 1 if one of the limits in `quantity` is exceeded. */
+#define SURFMINK_STATIC
+#include "surfmink.h"
+
+#include <math.h>
+#include <quadmath.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef __float128 quad;
+
+enum { MAX_RANK = 12, MAX_CORNERS = 100000 };
+
+enum surface { PLANE, SPHERE, EMBEDDED, SURFACES };
+static const char *const surface_name[SURFACES] = {"plane", "sphere", "embedded"};
+
+enum { LENGTH, TURNING, MU, ANGLE, AREA, QUANTITIES };
+
+/* What surfmink.h promises, checked here: claim and check cannot drift apart. */
+static const struct {
+    const char *name, *meaning;
+    double limit;
+} quantity[QUANTITIES] = {
+    {"L", "relative", 2e-15},
+    {"S", "against sum |alpha|", 2e-15},
+    {"mu", "p <= 12, against 1 + condition", 1e-14},
+    {"angle", "mu_p |p theta_p - reference|, p <= 12, against 1 + condition", 1e-14},
+    {"area", "against half the sum of |x_i - x_0| l_i", 2e-15},
+};
+
+/* --- chance ------------------------------------------------------------------------------------------------------- */
+
+/* splitmix64: every seed is a good one, so that a polygon is known by its generator and its seed. */
+static uint64_t chance;
+
+static uint64_t next_seed(void)
+{
+    uint64_t z = (chance += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+static double uniform(double low, double high)
+{
+    return low + (high - low) * (double)(next_seed() >> 11) * 0x1p-53;
+}
+
+/* Magnitudes are what breaks things: all of them are equally likely. */
+static double magnitude(double low, double high)
+{
+    return exp(uniform(log(low), log(high)));
+}
+
+static double signed_magnitude(double low, double high)
+{
+    double m = magnitude(low, high);
+    return next_seed() % 2 ? m : -m;
+}
+
+static int one_in(int cases)
+{
+    return next_seed() % (uint64_t)cases == 0;
+}
+
+/* Mostly few corners, for there every way to be degenerate is likely; sometimes very many. */
+static size_t corner_count(void)
+{
+    if (one_in(4000)) return (size_t)magnitude(1e4, MAX_CORNERS);
+    if (one_in(200)) return (size_t)magnitude(1e3, 1e4);
+    if (one_in(10)) return (size_t)magnitude(30, 1e3);
+    return (size_t)magnitude(3, 30);
+}
+
+/* --- outlines of about unit size, in a flat map ------------------------------------------------------------------- */
+
+static double shape[2 * MAX_CORNERS];
+
+static void put(size_t i, double distance, double angle)
+{
+    shape[2 * i] = distance * cos(angle);
+    shape[2 * i + 1] = distance * sin(angle);
+}
+
+/* Round with noise of any size, down to none. */
+static size_t draw_round(size_t n)
+{
+    double noise = magnitude(1e-17, 0.5), stretch = magnitude(0.05, 1), start = uniform(0, 6.3);
+    size_t i;
+    for (i = 0; i < n; ++i) {
+        put(i, 1 + noise * uniform(-1, 1), start + 2 * M_PI * (double)i / (double)n);
+        shape[2 * i] *= stretch;
+    }
+    return n;
+}
+
+/* On a circle, the gaps of all magnitudes: tiny edges beside long ones, almost straight. */
+static size_t draw_uneven(size_t n)
+{
+    double smallest = magnitude(1e-14, 1), total = 0, angle = 0, *gap = shape + n;
+    size_t i;
+    for (i = 0; i < n; ++i) total += gap[i] = magnitude(smallest, 1);
+    for (i = 0; i < n; ++i) { /* gap i lies behind or at the place where corner i goes */
+        double step = gap[i];
+        put(i, 1, angle);
+        angle += 2 * M_PI * step / total;
+    }
+    return n;
+}
+
+/* Spikes: the distance from the centre jumps from corner to corner. */
+static size_t draw_star(size_t n)
+{
+    double inner = magnitude(1e-12, 1);
+    int random = one_in(2);
+    size_t i;
+    for (i = 0; i < n; ++i)
+        put(i, random ? magnitude(inner, 1) : i % 2 ? inner : 1, 2 * M_PI * ((double)i + uniform(0, 0.5)) / (double)n);
+    return n;
+}
+
+/* Two chains of corners from one end to the other, a hair apart: needles, slivers, hairpins. */
+static size_t draw_needle(size_t n)
+{
+    double width = magnitude(1e-14, 0.3), start = uniform(0, 6.3), x, y;
+    size_t i, there = 1 + (size_t)uniform(0, (double)(n - 2)), back = n - there;
+    for (i = 0; i < n; ++i) {
+        x = i < there ? (double)i / (double)there : 1 - (double)(i - there) / (double)back;
+        y = i < there ? -width * x * (1 - x) : width * (x * (1 - x) + 0.1);
+        shape[2 * i] = x * cos(start) - y * sin(start);
+        shape[2 * i + 1] = x * sin(start) + y * cos(start);
+    }
+    return n;
+}
+
+/* A polygon of few corners whose sides are cut unevenly: what lies on a side is straight up to rounding. */
+static size_t draw_sides(size_t n)
+{
+    size_t sides = 3 + (size_t)uniform(0, 4), i, k, next, m = 0;
+    double start = uniform(0, 6.3), cut, angle[2];
+    if (n < 2 * sides) n = 2 * sides;
+    for (i = 0; i < sides; ++i) {
+        angle[0] = start + 2 * M_PI * (double)i / (double)sides;
+        angle[1] = start + 2 * M_PI * (double)(i + 1) / (double)sides;
+        next = n * (i + 1) / sides;
+        for (k = n * i / sides; k < next; ++k, ++m) {
+            cut = (double)(k - n * i / sides) / (double)(next - n * i / sides);
+            cut = cut > 0 ? cut * cut * cut : 0;
+            shape[2 * m] = (1 - cut) * cos(angle[0]) + cut * cos(angle[1]);
+            shape[2 * m + 1] = (1 - cut) * sin(angle[0]) + cut * sin(angle[1]);
+        }
+    }
+    return m;
+}
+
+/* A disc of pixels: corners on a lattice, some pixels long, some short. */
+static size_t draw_pixels(size_t n)
+{
+    double r = (double)n / 8 + 1;
+    size_t m = 0;
+    long x, y = (long)r, side, last;
+    long corner[2];
+    for (side = 0; side < 4; ++side) { /* a quarter of the outline, four times turned */
+        for (x = 0, y = (long)r; y > 0 && m + 2 < MAX_CORNERS; --y) {
+            last = x;
+            while ((double)((x + 1) * (x + 1) + (y - 1) * (y - 1)) <= r * r) ++x;
+            if (x == last) continue;
+            for (int end = 0; end < 2; ++end, ++m) {
+                corner[0] = end ? x : last;
+                corner[1] = y;
+                for (long turn = 0; turn < side; ++turn) {
+                    long kept = corner[0];
+                    corner[0] = corner[1];
+                    corner[1] = -kept;
+                }
+                shape[2 * m] = (double)corner[0] / r;
+                shape[2 * m + 1] = (double)corner[1] / r;
+            }
+        }
+    }
+    surfmink_reverse(shape, m, 2);
+    return m;
+}
+
+/* A coast: midpoints pushed aside again and again. */
+static size_t draw_coast(size_t n)
+{
+    double roughness = uniform(0.02, 0.6);
+    size_t sides = 3 + (size_t)uniform(0, 3), m = sides, i;
+    draw_round(sides);
+    while (2 * m <= n) {
+        for (i = m; i-- > 0;) {
+            double ax = shape[2 * i], ay = shape[2 * i + 1];
+            double bx = i + 1 < m ? shape[4 * i + 4] : shape[0], by = i + 1 < m ? shape[4 * i + 5] : shape[1];
+            double push = roughness * uniform(-0.5, 0.5);
+            shape[4 * i + 2] = (ax + bx) / 2 - push * (by - ay);
+            shape[4 * i + 3] = (ay + by) / 2 + push * (bx - ax);
+            shape[4 * i] = ax;
+            shape[4 * i + 1] = ay;
+        }
+        m *= 2;
+    }
+    return m;
+}
+
+/* A band wound up: turns a lot in both directions. */
+static size_t draw_spiral(size_t n)
+{
+    double windings = uniform(0.5, 20), t, r;
+    size_t half = n / 2 + 2, i;
+    for (i = 0; i < half; ++i) {
+        t = (double)i / (double)(half - 1);
+        r = 0.1 + 0.9 * t;
+        put(i, r, 2 * M_PI * windings * t);
+        put(2 * half - 1 - i, r * (1 - 0.3 / (1 + 10 * windings)), 2 * M_PI * windings * t);
+    }
+    return 2 * half;
+}
+
+/* Corners anywhere: of triangles half are well drawn, of larger ones those that do not cross are rare. */
+static size_t draw_any(size_t n)
+{
+    size_t i;
+    n = 3 + n % 3;
+    for (i = 0; i < n; ++i) {
+        shape[2 * i] = one_in(4) ? signed_magnitude(1e-15, 1) : uniform(-1, 1);
+        shape[2 * i + 1] = one_in(4) ? signed_magnitude(1e-15, 1) : uniform(-1, 1);
+    }
+    return n;
+}
+
+static const struct {
+    const char *name;
+    size_t (*draw)(size_t n);
+} generator[] = {{"round", draw_round},   {"uneven", draw_uneven}, {"star", draw_star},
+                 {"needle", draw_needle}, {"sides", draw_sides},   {"pixels", draw_pixels},
+                 {"coast", draw_coast},   {"spiral", draw_spiral}, {"any", draw_any}};
+enum { GENERATORS = sizeof generator / sizeof *generator };
+
+/* --- and how they lie on a surface -------------------------------------------------------------------------------- */
+
+typedef struct polygon {
+    enum surface surface;
+    size_t n;
+    double size, radius;
+    double corner[3 * MAX_CORNERS], normal[3 * MAX_CORNERS];
+} polygon;
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* A random rotation: three orthonormal vectors. */
+static void random_frame(double frame[3][3])
+{
+    double part;
+    int i, j, k;
+    for (i = 0; i < 3; ++i) {
+        for (k = 0; k < 3; ++k) frame[i][k] = uniform(-1, 1);
+        for (j = 0; j < i; ++j)
+            for (part = dot(frame[i], frame[j]), k = 0; k < 3; ++k) frame[i][k] -= part * frame[j][k];
+        for (part = sqrt(dot(frame[i], frame[i])), k = 0; k < 3; ++k) frame[i][k] /= part;
+    }
+    part = frame[0][0] * (frame[1][1] * frame[2][2] - frame[1][2] * frame[2][1]) -
+           frame[0][1] * (frame[1][0] * frame[2][2] - frame[1][2] * frame[2][0]) +
+           frame[0][2] * (frame[1][0] * frame[2][1] - frame[1][1] * frame[2][0]);
+    if (part < 0)
+        for (k = 0; k < 3; ++k) frame[2][k] = -frame[2][k];
+}
+
+static void place_on_plane(polygon *o)
+{
+    double unit = one_in(10) ? magnitude(1e-290, 1e290) : 1, x = 0, y = 0;
+    size_t i;
+    if (one_in(2)) { /* far away: corners keep the few digits that they have there */
+        x = signed_magnitude(1e-3, 1e12) * o->size;
+        y = signed_magnitude(1e-3, 1e12) * o->size;
+    }
+    for (i = 0; i < o->n; ++i) {
+        o->corner[2 * i] = (x + o->size * shape[2 * i]) * unit;
+        o->corner[2 * i + 1] = (y + o->size * shape[2 * i + 1]) * unit;
+    }
+}
+
+static void place_on_sphere(polygon *o)
+{
+    double frame[3][3], unit = one_in(10) ? magnitude(1e-290, 1e290) : 1, off = one_in(2) ? magnitude(1e-16, 0.9) : 0;
+    size_t i;
+    int k;
+    random_frame(frame);
+    o->radius = one_in(4) ? magnitude(1e-100, 1e100) : 1;
+    if (one_in(20)) o->size = M_PI / 2 - magnitude(1e-12, 1); /* nearly a great circle: curvature near 2 pi */
+    for (i = 0; i < o->n; ++i) {
+        double u = shape[2 * i], v = shape[2 * i + 1], r = hypot(u, v), angle = o->size * r;
+        double along = r > 0 ? sin(angle) / r : 0, height = unit * (1 + off * uniform(-1, 1));
+        for (k = 0; k < 3; ++k)
+            o->corner[3 * i + (size_t)k] =
+                height * (cos(angle) * frame[2][k] + along * (u * frame[0][k] + v * frame[1][k]));
+    }
+    if (one_in(20)) { /* two neighbours almost opposite */
+        double gap = magnitude(1e-15, 1e-1);
+        for (k = 0; k < 3; ++k) o->corner[3 + k] = -o->corner[k] * uniform(1, 1 + off) + unit * gap * frame[0][k];
+    }
+}
+
+/* Points and normals of a quadric z = (a u^2 + b v^2) / 2 over the map: bowl, saddle, ridge or plane; then noise on the
+   normals, steep edges, any magnitude. */
+static void place_in_space(polygon *o)
+{
+    double frame[3][3], local[3], normal[3], unit = one_in(10) ? magnitude(1e-290, 1e290) : 1;
+    double a = one_in(3) ? 0 : uniform(-2, 1), b = one_in(3) ? a : uniform(-2, 1), far = 0;
+    double tilt = one_in(2) ? 0 : magnitude(1e-16, 1), stretch = one_in(4) ? 1e100 : 1, scale;
+    int cap = one_in(6);
+    size_t i;
+    int k;
+    random_frame(frame);
+    if (one_in(3)) far = signed_magnitude(1e-3, 1e12) * o->size;
+    if (cap && one_in(2)) o->size = M_PI / 2 - magnitude(1e-12, 1);
+    for (i = 0; i < o->n; ++i) {
+        double u = o->size * shape[2 * i], v = o->size * shape[2 * i + 1], r = hypot(u, v);
+        if (cap) { /* the unit sphere, measured with chords */
+            local[0] = r > 0 ? sin(r) * u / r : 0;
+            local[1] = r > 0 ? sin(r) * v / r : 0;
+            local[2] = cos(r);
+            for (k = 0; k < 3; ++k) normal[k] = local[k];
+        } else {
+            local[0] = u;
+            local[1] = v;
+            local[2] = (a * u * u + b * v * v) / 2;
+            normal[0] = -a * u;
+            normal[1] = -b * v;
+            normal[2] = 1;
+        }
+        for (k = 0; k < 3; ++k) normal[k] += tilt * uniform(-1, 1);
+        local[0] += far;
+        scale = magnitude(1 / stretch, stretch);
+        for (k = 0; k < 3; ++k) {
+            o->corner[3 * i + (size_t)k] =
+                unit * (local[0] * frame[0][k] + local[1] * frame[1][k] + local[2] * frame[2][k]);
+            o->normal[3 * i + (size_t)k] =
+                scale * (normal[0] * frame[0][k] + normal[1] * frame[1][k] + normal[2] * frame[2][k]);
+        }
+    }
+    if (one_in(6)) { /* a normal almost along an edge, up to where it is refused */
+        double slope = magnitude(1e-6, 1), edge[3], longest;
+        for (k = 0; k < 3; ++k) edge[k] = (o->corner[3 + k] - o->corner[k]) / unit;
+        longest = sqrt(dot(edge, edge));
+        for (k = 0; k < 3; ++k) o->normal[k] = edge[k] / longest + slope * frame[2][k];
+    }
+}
+
+static void make_polygon(polygon *o, enum surface surface, int which, uint64_t seed)
+{
+    chance = seed;
+    o->surface = surface;
+    o->size = magnitude(1e-12, 1.5);
+    o->radius = 1;
+    o->n = generator[which].draw(corner_count());
+    if (surface == PLANE) place_on_plane(o);
+    if (surface == SPHERE) place_on_sphere(o);
+    if (surface == EMBEDDED) place_in_space(o);
+}
+
+/* --- the reference, in quadruple precision ------------------------------------------------------------------------ */
+
+typedef struct measured {
+    quad length, turning, turned, area, area_terms;
+    quad re[MAX_RANK + 1], im[MAX_RANK + 1];
+    int spike;   /* a turn of -pi up to rounding, which is to count as +pi */
+    int crosses; /* S and area contradict each other: the area is not defined */
+} measured;
+
+static quad edge_length[MAX_CORNERS], edge_turn[MAX_CORNERS];
+
+static quad q_dot(const quad *a, const quad *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void q_difference(const double *a, const double *b, quad c[3])
+{
+    int k;
+    for (k = 0; k < 3; ++k) c[k] = (quad)a[k] - (quad)b[k];
+}
+
+static void q_unit(const double *v, quad unit[3])
+{
+    quad norm;
+    int k;
+    for (k = 0; k < 3; ++k) unit[k] = v[k];
+    norm = sqrtq(q_dot(unit, unit));
+    for (k = 0; k < 3; ++k) unit[k] /= norm;
+}
+
+/* Two vectors that complete a unit vector to a right-handed frame. */
+static void q_frame(const quad n[3], quad e1[3], quad e2[3])
+{
+    quad norm;
+    int k, far = fabsq(n[0]) < 0.6Q ? 0 : 1;
+    for (k = 0; k < 3; ++k) e1[k] = (k == far) - n[far] * n[k];
+    norm = sqrtq(q_dot(e1, e1));
+    for (k = 0; k < 3; ++k) e1[k] /= norm;
+    for (k = 0; k < 3; ++k) e2[k] = n[(k + 1) % 3] * e1[(k + 2) % 3] - n[(k + 2) % 3] * e1[(k + 1) % 3];
+}
+
+static quad q_wrap(quad angle)
+{
+    while (angle > M_PIq) angle -= 2 * M_PIq;
+    while (angle <= -M_PIq) angle += 2 * M_PIq;
+    return angle;
+}
+
+/* Turn at a corner with unit normal n, as a difference of two directions in the tangent plane. */
+static quad q_turn(const quad in[3], const quad out[3], const quad n[3])
+{
+    quad e1[3], e2[3];
+    q_frame(n, e1, e2);
+    return q_wrap(atan2q(q_dot(out, e2), q_dot(out, e1)) - atan2q(q_dot(in, e2), q_dot(in, e1)));
+}
+
+static void refer_plane(const polygon *o, measured *m)
+{
+    quad before, here, x, y, ax, ay;
+    const double *c = o->corner;
+    size_t i, n = o->n;
+    x = (quad)c[0] - (quad)c[2 * n - 2];
+    y = (quad)c[1] - (quad)c[2 * n - 1];
+    before = atan2q(y, x);
+    for (i = 0; i < n; ++i, before = here) {
+        const double *next = i + 1 < n ? c + 2 * i + 2 : c;
+        x = (quad)next[0] - (quad)c[2 * i];
+        y = (quad)next[1] - (quad)c[2 * i + 1];
+        edge_length[i] = hypotq(x, y);
+        here = atan2q(y, x);
+        edge_turn[i] = q_wrap(here - before);
+        ax = (quad)c[2 * i] - (quad)c[0];
+        ay = (quad)c[2 * i + 1] - (quad)c[1];
+        m->area += (ax * y - ay * x) / 2;
+        m->area_terms += hypotq(ax, ay) * hypotq(x, y) / 2;
+    }
+}
+
+static void refer_embedded(const polygon *o)
+{
+    quad in[3], out[3], normal[3];
+    const double *c = o->corner;
+    size_t i, n = o->n;
+    q_difference(c, c + 3 * (n - 1), in);
+    for (i = 0; i < n; ++i) {
+        q_difference(i + 1 < n ? c + 3 * i + 3 : c, c + 3 * i, out);
+        q_unit(o->normal + 3 * i, normal);
+        edge_length[i] = sqrtq(q_dot(out, out));
+        edge_turn[i] = q_turn(in, out, normal);
+        memcpy(in, out, sizeof in);
+    }
+}
+
+/* Stereographic map of the sphere from the point opposite to corner 0: the triangle of corner 0 with the images z and w
+   of two others has the area 2 arg(1 + conj(z) w). */
+static void refer_sphere(const polygon *o, measured *m)
+{
+    quad e1[3], e2[3], first[3], before[3], here[3], next[3], in[3], out[3], sum[3], z[2] = {0, 0}, w[2];
+    const double *c = o->corner;
+    size_t i, n = o->n;
+    int k;
+    q_unit(c + 3 * (n - 1), before);
+    q_unit(c, here);
+    memcpy(first, here, sizeof first);
+    q_frame(first, e1, e2);
+    for (i = 0; i < n; ++i) {
+        q_unit(i + 1 < n ? c + 3 * i + 3 : c, next);
+        for (k = 0; k < 3; ++k) {
+            in[k] = here[k] - before[k]; /* its part in the tangent plane of `here` is along the edge */
+            out[k] = next[k] - here[k];
+            sum[k] = next[k] + here[k];
+        }
+        edge_length[i] = 2 * atan2q(sqrtq(q_dot(out, out)), sqrtq(q_dot(sum, sum)));
+        edge_turn[i] = q_turn(in, out, here);
+        for (k = 0; k < 3; ++k) sum[k] = next[k] - first[k];
+        w[0] = q_dot(sum, e1) / (1 + q_dot(next, first));
+        w[1] = q_dot(sum, e2) / (1 + q_dot(next, first));
+        m->area += 2 * atan2q(z[0] * w[1] - z[1] * w[0], 1 + z[0] * w[0] + z[1] * w[1]);
+        m->area_terms += 2 * sqrtq(z[0] * z[0] + z[1] * z[1]) * edge_length[i] / 2;
+        memcpy(z, w, sizeof z);
+        memcpy(before, here, sizeof before);
+        memcpy(here, next, sizeof here);
+    }
+}
+
+static void refer(const polygon *o, measured *m)
+{
+    quad phase = 0, re, im, c, s, t;
+    size_t i;
+    int p;
+    memset(m, 0, sizeof *m);
+    if (o->surface == PLANE) refer_plane(o, m);
+    if (o->surface == SPHERE) refer_sphere(o, m);
+    if (o->surface == EMBEDDED) refer_embedded(o);
+    for (i = 0; i < o->n; ++i) {
+        if (edge_turn[i] < -M_PIq + 1e-14Q) m->spike = 1;
+        m->length += edge_length[i];
+        m->turning += edge_turn[i];
+        m->turned += fabsq(edge_turn[i]);
+    }
+    for (i = 0; i < o->n; ++i) {
+        if (i > 0) phase += edge_turn[i];
+        sincosq(2 * M_PIq / m->turning * phase, &s, &c);
+        for (re = edge_length[i], im = 0, p = 0; p <= MAX_RANK; ++p) {
+            m->re[p] += re;
+            m->im[p] += im;
+            t = re * c - im * s;
+            im = re * s + im * c;
+            re = t;
+        }
+    }
+    if (o->surface != SPHERE) return;
+    m->length *= o->radius;
+    for (p = 0; p <= MAX_RANK; ++p) {
+        m->re[p] *= o->radius;
+        m->im[p] *= o->radius;
+    }
+    m->area += 4 * M_PIq * rintq((2 * M_PIq - m->turning - m->area) / (4 * M_PIq)); /* the fan knows it modulo 4 pi */
+    m->crosses = fabsq(2 * M_PIq - m->turning - m->area) > 1;
+    m->area *= (quad)o->radius * o->radius;
+    m->area_terms *= (quad)o->radius * o->radius;
+}
+
+/* --- the comparison ----------------------------------------------------------------------------------------------- */
+
+typedef struct verdict {
+    int status;
+    double condition, error[QUANTITIES], judged[QUANTITIES]; /* as it is; against its limit's measure */
+} verdict;
+
+static int measure(const polygon *o, double *mu, double *g, surfmink_functionals *w)
+{
+    if (o->surface == PLANE) return surfmink_measure_plane(o->corner, o->n, MAX_RANK, mu, g, w, NULL);
+    if (o->surface == SPHERE) return surfmink_measure_sphere(o->corner, o->n, o->radius, MAX_RANK, mu, g, w, NULL);
+    return surfmink_measure_embedded(o->corner, o->normal, o->n, MAX_RANK, mu, g, w, NULL);
+}
+
+static void judge(const polygon *o, verdict *v, int show)
+{
+    static measured m;
+    double mu[MAX_RANK + 1], g[2 * MAX_RANK + 2], theta[MAX_RANK + 1], off;
+    quad want, angle;
+    surfmink_functionals w;
+    int p, q;
+    memset(v, 0, sizeof *v);
+    if ((v->status = measure(o, mu, g, &w)) != SURFMINK_OK) return;
+    refer(o, &m);
+    if (m.spike) v->status = -1;
+    if (m.spike) return;
+    surfmink_spectrum(g, MAX_RANK, NULL, NULL, theta);
+    v->condition = (double)(m.turned / fabsq(m.turning));
+    v->error[LENGTH] = v->judged[LENGTH] = (double)fabsq(w.length / m.length - 1);
+    v->error[TURNING] = (double)fabsq(w.turning - m.turning);
+    v->judged[TURNING] = (double)(v->error[TURNING] / m.turned);
+    if (o->surface != EMBEDDED && !m.crosses && m.area_terms > 1e-280Q && m.area_terms < 1e300Q) { /* else it has no double */
+        v->error[AREA] = (double)fabsq(w.area / m.area - 1);
+        v->judged[AREA] = (double)(fabsq(w.area - m.area) / m.area_terms);
+    }
+    for (p = 0; p <= MAX_RANK; ++p) {
+        want = hypotq(m.re[p], m.im[p]) / m.length;
+        angle = atan2q(m.im[p], m.re[p]);
+        off = (double)fabsq(mu[p] - want);
+        if (!(off <= v->error[MU])) v->error[MU] = off;
+        off = (double)(want * fabsq(remainderq(p * (quad)theta[p] - angle, 2 * M_PIq)));
+        if (!(off <= v->error[ANGLE])) v->error[ANGLE] = off;
+        if (show)
+            printf("mu_%-2d  %.17g  want %.17g\np theta %.17g  want %.17g\n", p, mu[p], (double)want, p * theta[p],
+                   (double)angle);
+    }
+    for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / (1 + v->condition);
+    if (!show) return;
+    printf("L      %.17g  want %.17g\nS      %.17g  want %.17g\n", w.length, (double)m.length, w.turning,
+           (double)m.turning);
+    printf("area   %.17g  want %.17g\ncurvature %.17g\n", w.area, (double)m.area, w.curvature);
+}
+
+typedef struct worst {
+    double error, judged, condition, size;
+    uint64_t seed;
+    size_t n;
+    int generator;
+} worst;
+
+static void keep_worst(worst *worst, const verdict *v, int q, const polygon *o, int which, uint64_t seed)
+{
+    if (v->judged[q] <= worst->judged) return; /* a NaN is the worst of all */
+    worst->judged = v->judged[q];
+    worst->error = v->error[q];
+    worst->condition = v->condition;
+    worst->size = o->size;
+    worst->seed = seed;
+    worst->n = o->n;
+    worst->generator = which;
+}
+
+static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t master)
+{
+    static worst all[GENERATORS][QUANTITIES];
+    worst top[QUANTITIES];
+    uint64_t accepted = 0, refused = 0, spikes = 0, k, seed;
+    verdict v;
+    int q, i, failed = 0;
+    memset(all, 0, sizeof all);
+    memset(top, 0, sizeof top);
+    for (k = 0; k < polygons; ++k) {
+        chance = master + k * SURFACES + (uint64_t)surface;
+        seed = next_seed() >> 16; /* short enough to be typed */
+        i = (int)(k % GENERATORS);
+        make_polygon(o, surface, i, seed);
+        judge(o, &v, 0);
+        accepted += v.status == SURFMINK_OK;
+        refused += v.status > 0;
+        spikes += v.status < 0;
+        for (q = 0; v.status == SURFMINK_OK && q < QUANTITIES; ++q) {
+            keep_worst(&all[i][q], &v, q, o, i, seed);
+            keep_worst(&top[q], &v, q, o, i, seed);
+        }
+    }
+    printf("%s: %lu polygons measured, %lu refused, %lu with a turn of -pi up to rounding left out\n",
+           surface_name[surface], (unsigned long)accepted, (unsigned long)refused, (unsigned long)spikes);
+    for (q = 0; q < QUANTITIES; ++q) printf("%10s", quantity[q].name);
+    for (i = 0; i < GENERATORS; ++i) {
+        printf("\n");
+        for (q = 0; q < QUANTITIES; ++q) printf("%10.1e", all[i][q].judged);
+        printf("  %s/%s, worst mu %lu", surface_name[surface], generator[i].name, (unsigned long)all[i][MU].seed);
+    }
+    printf("\n");
+    for (q = 0; q < QUANTITIES; ++q) {
+        if (surface == EMBEDDED && q == AREA) continue;
+        printf("%-6s %.2g (%s; as it is %.2g, condition %.2g): --repeat %s/%s %lu, n %lu, size %.2g%s\n",
+               quantity[q].name, top[q].judged, quantity[q].meaning, top[q].error, top[q].condition,
+               surface_name[surface], generator[top[q].generator].name, (unsigned long)top[q].seed,
+               (unsigned long)top[q].n, top[q].size, top[q].judged <= quantity[q].limit ? "" : "  ABOVE ITS LIMIT");
+        failed += !(top[q].judged <= quantity[q].limit);
+    }
+    printf("\n");
+    return failed;
+}
+
+static int repeat(polygon *o, const char *name, uint64_t seed)
+{
+    char full[100];
+    verdict v;
+    int surface, i, q;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (i = 0; i < (int)GENERATORS; ++i) {
+            snprintf(full, sizeof full, "%s/%s", surface_name[surface], generator[i].name);
+            if (strcmp(full, name) != 0) continue;
+            make_polygon(o, (enum surface)surface, i, seed);
+            judge(o, &v, 1);
+            printf("n %lu, size %.3g, status %d, condition %.3g\n", (unsigned long)o->n, o->size, v.status, v.condition);
+            for (q = 0; q < QUANTITIES; ++q)
+                printf("error of %-6s %.3g, judged %.3g\n", quantity[q].name, v.error[q], v.judged[q]);
+            for (size_t k = 0; k < o->n && k < 20; ++k) {
+                printf("l %-24.17g alpha %-24.17g", (double)edge_length[k], (double)edge_turn[k]);
+                for (i = 0; i < (surface == PLANE ? 2 : 3); ++i)
+                    printf(" %a", o->corner[(surface == PLANE ? 2 : 3) * k + (size_t)i]);
+                for (i = 0; surface == EMBEDDED && i < 3; ++i) printf(" %a", o->normal[3 * k + (size_t)i]);
+                printf("\n");
+            }
+            return 0;
+        }
+    fprintf(stderr, "accuracy: no generator %s; there are {plane,sphere,embedded}/{", name);
+    for (i = 0; i < (int)GENERATORS; ++i) fprintf(stderr, "%s%s", i ? "," : "", generator[i].name);
+    fprintf(stderr, "}\n");
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    static polygon o;
+    uint64_t polygons = 10000, seed = 1;
+    int surface, failed = 0, only = -1, i;
+    for (i = 1; i < argc; ++i) {
+        int left = argc - i - 1;
+        if (!strcmp(argv[i], "--polygons") && left >= 1) polygons = strtoull(argv[++i], NULL, 10);
+        else if (!strcmp(argv[i], "--seed") && left >= 1) seed = strtoull(argv[++i], NULL, 10);
+        else if (!strcmp(argv[i], "--repeat") && left >= 2)
+            return repeat(&o, argv[i + 1], strtoull(argv[i + 2], NULL, 10));
+        else if (!strcmp(argv[i], "plane")) only = PLANE;
+        else if (!strcmp(argv[i], "sphere")) only = SPHERE;
+        else if (!strcmp(argv[i], "embedded")) only = EMBEDDED;
+        else {
+            fprintf(stderr, "usage: accuracy [--polygons N] [--seed S] [plane|sphere|embedded] "
+                            "[--repeat SURFACE/GENERATOR SEED]\n");
+            return 2;
+        }
+    }
+    for (surface = 0; surface < SURFACES; ++surface)
+        if (only < 0 || only == surface) failed += survey(&o, (enum surface)surface, polygons, seed * 1000003);
+    printf("%d figures above their limits\n", failed);
+    return failed != 0;
+}

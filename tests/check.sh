@@ -1,0 +1,139 @@
+#!/bin/sh
+# check.sh DIRECTORY: what a header is judged by and only other tools can tell: warnings in every dialect, the symbols
+# it exports, ways to include it, other compilers and flags, sanitizers, layout. Works in DIRECTORY. Needs gcc, g++,
+# clang, tcc, valgrind, clang-format 14, pkg-config, xmllint; a tool that is missing is a check that fails.
+work=$1
+mkdir -p "$work"
+passed=0 failed=0
+
+# check NAME COMMAND: passes if the command succeeds and says nothing.
+check() {
+    if said=$(sh -c "$2" 2>&1) && [ -z "$said" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED %s\n  %s\n%s\n' "$1" "$2" "$said" | head -n 30
+    fi
+}
+
+wall="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Wundef -Wcast-qual
+      -Wcast-align -Wwrite-strings -Wvla -Wfloat-conversion"
+wall=$(echo $wall)
+wall_c="$wall -Wstrict-prototypes -Wmissing-prototypes"
+
+# --- the header: silent in every dialect ------------------------------------------------------------------------------
+printf '#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n#include "surfmink.h"\n' > "$work/whole.c"
+printf '#define SURFMINK_STATIC\n#include "surfmink.h"\n' > "$work/static.c"
+printf '#include "surfmink.h"\n' > "$work/public.c"
+for unit in whole static public; do
+    for std in c89 c99 c11 c17 c2x; do
+        check "gcc -std=$std, $unit" "gcc -std=$std $wall_c -Wc++-compat -O2 -I. -c $work/$unit.c -o $work/unit.o"
+        check "clang -std=$std, $unit" "clang -std=$std -Weverything -O2 -I. -c $work/$unit.c -o $work/unit.o"
+    done
+    for std in c++98 c++11 c++14 c++17 c++20 c++2b; do
+        check "g++ -std=$std, $unit" "g++ -x c++ -std=$std $wall -O2 -I. -c $work/$unit.c -o $work/unit.o"
+        check "clang++ -std=$std, $unit" "clang++ -x c++ -std=$std $wall -O2 -I. -c $work/$unit.c -o $work/unit.o"
+    done
+    check "tcc, $unit" "tcc -Wall -I. -c $work/$unit.c -o $work/unit.o"
+done
+
+# --- what it leaves in a program --------------------------------------------------------------------------------------
+gcc -std=c99 -O2 -I. -c "$work/whole.c" -o "$work/whole.o"
+check "only surfmink_ symbols are exported" "nm -g --defined-only $work/whole.o | awk '\$3 !~ /^surfmink_[a-z]/'"
+check "no writable data" "nm $work/whole.o | awk '\$2 ~ /^[bBdDcC]\$/'"
+check "only libm is asked for" "nm -u $work/whole.o | awk '\$2 !~ /^(sin|cos|sincos|atan2|sqrt|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail)\$/'"
+gcc -std=c99 -O2 -I. -c "$work/static.c" -o "$work/static.o"
+check "SURFMINK_STATIC exports nothing" "nm -g --defined-only $work/static.o"
+check "only SURFMINK_ macros are defined" "
+    printf '#include <stddef.h>\n#include <math.h>\n' > $work/libc.c
+    gcc -std=c99 -dM -E $work/libc.c | sort > $work/libc.macros
+    gcc -std=c99 -dM -E -I. $work/whole.c | sort | comm -13 $work/libc.macros - | grep -v '^#define SURFMINK_' || true"
+
+# --- ways to include it -----------------------------------------------------------------------------------------------
+cat > "$work/first.c" << 'END'
+#define SURFMINK_STATIC
+#include "surfmink.h"
+int second(void);
+int main(void)
+{
+    return surfmink_strerror(0)[0] + second() != 'm' + 'm';
+}
+END
+cat > "$work/second.c" << 'END'
+#define SURFMINK_STATIC
+#include "surfmink.h"
+int second(void);
+int second(void)
+{
+    return surfmink_strerror(0)[0];
+}
+END
+check "private copies in two files of a program" \
+    "gcc -std=c99 -Wall -Wextra -I. $work/first.c $work/second.c -o $work/two -lm && $work/two"
+cat > "$work/late.c" << 'END'
+#include "surfmink.h"
+#include "surfmink.h"
+#define SURFMINK_IMPLEMENTATION
+#include "surfmink.h"
+#include "surfmink.h"
+int main(void)
+{
+    return surfmink_strerror(0)[0] != 'm';
+}
+END
+check "declarations first, implementation later, all twice" "gcc -std=c99 -Wall -Wextra -I. $work/late.c -o $work/late -lm && $work/late"
+cat > "$work/freestanding.c" << 'END'
+#define SURFMINK_SIN my_sin
+#define SURFMINK_COS my_cos
+#define SURFMINK_ATAN2 my_atan2
+#define SURFMINK_SQRT my_sqrt
+double my_sin(double x), my_cos(double x), my_atan2(double y, double x), my_sqrt(double x);
+#define SURFMINK_IMPLEMENTATION
+#include "surfmink.h"
+END
+check "freestanding, with libm replaced" "gcc -std=c99 -ffreestanding -nostdinc -isystem \$(gcc -print-file-name=include) -Wall -Wextra -I. \
+    -O1 -c $work/freestanding.c -o $work/freestanding.o && nm -u $work/freestanding.o | awk '\$2 !~ /^my_/ && \$2 !~ /^(memset|memcpy)\$/'"
+
+# --- the programs around it -------------------------------------------------------------------------------------------
+for program in examples/*.c tests/test_*.c; do
+    check "gcc, $program" "gcc -std=c99 $wall_c -O2 -I. $program -o $work/program -lm"
+    check "clang, $program" "clang -std=c99 $wall_c -O2 -I. $program -o $work/program -lm"
+done
+
+# theorems COMPILER FLAGS...: the whole set of test programs, built by another compiler or with other flags.
+theorems() {
+    for program in tests/test_*.c; do
+        check "$* $program" "$* -std=c99 -I. $program -o $work/theorem -lm && $work/theorem > $work/said || { tail -n 20 $work/said; false; }"
+    done
+}
+theorems gcc -O0
+theorems gcc -O3 -march=native
+theorems clang -O2
+theorems tcc
+theorems gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+theorems clang -O1 -g -fsanitize=undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all
+
+# --- the commands under sanitizers ------------------------------------------------------------------------------------
+sanitize="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+for command in surfmink levelset tissue; do
+    check "$command with sanitizers" "gcc -std=c99 $sanitize -I. examples/$command.c -o $work/$command -lm"
+done
+check "the command's contract, with sanitizers" "sh tests/test_command.sh $work/surfmink > $work/said 2>&1 || { tail -n 20 $work/said; false; }"
+check "levelset's contract, with sanitizers" \
+    "sh tests/test_levelset.sh $work/levelset $work/surfmink > $work/said 2>&1 || { tail -n 20 $work/said; false; }"
+check "valgrind finds nothing in the demo's tissue" "valgrind -q --leak-check=full --error-exitcode=9 .build/surfmink \
+    --svg $work/tissue.svg examples/data/tissue.tsv > $work/tissue.out"
+
+# --- what users see ---------------------------------------------------------------------------------------------------
+check "make demo" "make -s demo > $work/demo.out 2>&1 || { cat $work/demo.out; false; }"
+check "pictures are valid XML" "xmllint --noout .build/demo/*.svg"
+check "make install" "make -s install DESTDIR=$work/root PREFIX=/usr > $work/install.out 2>&1 || { cat $work/install.out; false; }
+    PKG_CONFIG_PATH=$work/root/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' && test -x $work/root/usr/bin/surfmink"
+check "the tissue is what its generator makes" ".build/tissue | cmp - examples/data/tissue.tsv"
+check "layout" "clang-format-14 --dry-run --Werror surfmink.h \$(find examples tests -name '*.[ch]')"
+check "lines of at most 120 columns" "awk 'length > 120 { print FILENAME \":\" FNR }' surfmink.h Makefile \$(find examples tests -name '*.[ch]' -o -name '*.sh')"
+check "the version stands on line 1 and in the macros" "v=\$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
+    grep -q \"#define SURFMINK_VERSION  *\\\"\$v\\\"\" surfmink.h"
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,296 @@
+#!/bin/sh
+# test_levelset.sh LEVELSET SURFMINK: holds the command `levelset` to what its --help promises, and pipes it into
+# `surfmink`. Needs only a POSIX shell. Run it from the root of the repository.
+absolute() {
+    case $1 in
+    /*) echo "$1" ;;
+    *) echo "$PWD/$1" ;;
+    esac
+}
+levelset=$(absolute "$1")
+surfmink=$(absolute "$2")
+data=$PWD/tests/data
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+passed=0 failed=0
+tab=$(printf '\t')
+
+# --- harness ----------------------------------------------------------------------------------------------------------
+
+# check NAME GOT WANT
+check() {
+    if [ "$2" = "$3" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED %s\n  got  %s\n  want %s\n' "$1" "$2" "$3"
+    fi
+}
+
+# near NAME GOT WANT WITHIN
+near() {
+    if awk -v got="$2" -v want="$3" -v within="$4" '
+        BEGIN { d = got - want; exit !(got != "" && d <= within && d >= -within) }'; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        printf 'FAILED %s\n  got  %s\n  want %s\n' "$1" "$2" "$3"
+    fi
+}
+
+# run ARGUMENT...: the command, with the file `in` as its standard input; leaves out, err and $status.
+run() {
+    "$levelset" "$@" < in > out 2> err
+    status=$?
+}
+
+# measure ARGUMENT...: pipes `out` into surfmink; leaves mu and $measured.
+measure() {
+    "$surfmink" "$@" < out > mu 2> mu.err
+    measured=$?
+}
+
+# field FILE ROW NAME: of the table in a file; row 1 is the first below the names.
+field() {
+    awk -F '\t' -v row="$2" -v name="$3" '
+        /^#/ { next }
+        !names { names = 1; for (i = 1; i <= NF; ++i) if ($i == name) column = i; next }
+        ++k == row { print column ? $column : "no such column" }' "$1"
+}
+
+rows() {
+    awk '!/^#/ { ++n } END { print n - 1 }' "$1"
+}
+
+# refuses STATUS MESSAGE ARGUMENT...: that status, exactly that on standard error, nothing on standard output.
+refuses() {
+    want_status=$1 want=$2
+    shift 2
+    run "$@"
+    check "status of levelset $*" $status "$want_status"
+    check "complaint of levelset $*" "$(cat err)" "$want"
+    check "output of levelset $*" "$(cat out)" ""
+}
+
+: > in
+cat > oct.off << 'END'
+OFF
+6 8 12
+1 0 0
+-1 0 0
+0 1 0
+0 -1 0
+0 0 1
+0 0 -1
+3 0 2 4
+3 2 1 4
+3 1 3 4
+3 3 0 4
+3 2 0 5
+3 1 2 5
+3 3 1 5
+3 0 3 5
+END
+printf '0\n0\n0\n0\n1\n-1\n' > z.txt
+cat > oct.ply << 'END'
+ply
+format ascii 1.0
+element vertex 6
+property double x
+property double y
+property double z
+element face 8
+property list uchar int vertex_indices
+end_header
+END
+sed 1,2d oct.off >> oct.ply
+awk 'NR > 2 && NR < 9 { print "v", $0 } NR > 8 { print "f", $2 + 1, $3 + 1, $4 + 1 }' oct.off > oct.obj
+
+# --- what comes out ---------------------------------------------------------------------------------------------------
+
+run --help
+check "help succeeds" $status 0
+check "help leads with examples" "$(sed -n 3p out)" "EXAMPLES"
+check "help is no complaint" "$(cat err)" ""
+
+run oct.off z.txt --at 0.5
+check "status" $status 0
+check "nothing to complain" "$(cat err)" ""
+check "a note on the mesh" "$(sed -n 1p out)" \
+    "# levelset of z.txt on oct.off (6 vertices, 8 triangles, 0 boundary edges, longest edge 1.41421), inside below"
+check "a note on the level" "$(sed -n 2p out | sed 's/area [0-9.]*/area/')" \
+    "# level 0.5: loops 1, area, open curves left out 0"
+near "the area in it" "$(sed -n 2p out | sed 's/.*area \([0-9.]*\),.*/\1/')" 6.06217782649107 1e-12
+check "the names of the columns" "$(sed -n 3p out)" "$(printf 'loop\tlevel\tx\ty\tz\tnx\tny\tnz')"
+check "a square" "$(rows out)" 4
+near "at its height" "$(field out 3 z)" 0.5 1e-15
+near "with unit normals" "$(awk '/^0/ { s += $6 * $6 + $7 * $7 + $8 * $8 } END { printf "%.15f", s }' out)" 4 1e-12
+cp out expected
+
+for mesh in oct.ply oct.obj; do
+    run $mesh z.txt --at 0.5
+    check "the same from $mesh" "$(grep -v '^# levelset' out)" "$(grep -v '^# levelset' expected)"
+done
+cp oct.ply in
+run - z.txt --at 0.5
+check "the same from standard input" "$(grep -v '^# levelset' out)" "$(grep -v '^# levelset' expected)"
+printf '# z\r\n0\r\n0\r\n\r\n0\r\n0\r\n1\r\n-1' > in
+run oct.off - --at=0.5
+check "the same from a field on standard input" "$(grep -v '^# levelset' out)" "$(grep -v '^# levelset' expected)"
+: > in
+run oct.off --function z --at 0.5
+check "the same from a function" "$(grep -v '^# levelset' out)" "$(grep -v '^# levelset' expected)"
+run --subdivide oct:0 --function z --at 0.5
+check "the same from a built mesh" "$(grep -v '^#' out | sort)" "$(grep -v '^#' expected | sort)"
+run oct.off z.txt --at 0.5
+check "the same bytes again" "$(cat out)" "$(cat expected)"
+
+run oct.off z.txt --at 0.5 --at -0.25
+check "two levels" "$(awk '!/^#/ && NR > 4 { print $1, $2 }' out | uniq -c | awk '{ print $1, $2, $3 }')" "4 0 0.5
+4 1 -0.25"
+run oct.off z.txt --at 0
+check "a level at four vertices" "$(awk '/^0/ { print $3 + 0, $4 + 0, $5 + 0 }' out | sort)" "-1 0 0
+0 -1 0
+0 1 0
+1 0 0"
+run oct.off z.txt --at 1 --inside above
+check "a level at the top" "$status $(cat err) $(rows out)" "0  0"
+check "a note on it" "$(sed -n 2p out)" "# level 1: loops 0, area 0, open curves left out 0, collapsed loops left out 1"
+run oct.off z.txt --at 5
+check "a level above all" "$status $(rows out)" "0 0"
+measure
+check "an empty table can be measured" "$measured $(rows mu)" "0 0"
+run oct.off z.txt --at 0.1 --digits 3
+check "three digits" "$(awk '/^0/ && (length($3) > 6 || length($6) > 6)' out)" ""
+
+run oct.off z.txt --at 0.5 --area
+below=$(field out 1 area)
+check "a table of areas" "$(rows out) $(grep -v '^#' out | cut -f 1,2,3,5,6 | tr '\n\t' '  ')" \
+    "1 level loops corners open collapsed 0.5 1 4 0 0 "
+run oct.off z.txt --at 0.5 --area --inside above
+above=$(field out 1 area)
+whole=$(echo "$below $above" | awk '{ printf "%.15f", $1 + $2 }')
+near "the two parts make up the whole" "$whole" 6.92820323027551 1e-12
+
+# --- into surfmink ----------------------------------------------------------------------------------------------------
+
+run --subdivide ico:4 --function flower
+measure --max-rank 8
+check "the flower is measured" "$status $measured $(field mu 1 status) $(field mu 1 n)" "0 0 ok 99"
+near "its mu_2" "$(field mu 1 mu_2)" 0.0398569744 6e-11
+near "its mu_4" "$(field mu 1 mu_4)" 0.1890006023 6e-11
+near "its mu_6" "$(field mu 1 mu_6)" 0.0766159711 6e-11
+near "its mu_8" "$(field mu 1 mu_8)" 0.3080727536 6e-11
+cp out expected
+run --subdivide ico:4 --function flower:0.5,0.1,4,1.5707963267948966,0.78539816339744831 --at 0
+check "its parameters" "$(grep -v '^# levelset' out)" "$(grep -v '^# levelset' expected)"
+run --subdivide oct:7 --function flower:0.5,0.2,3
+near "the tip of an odd petal lies where the curve has it, not opposite" \
+    "$(awk '/^0/ { phi = atan2($4, $3); if (phi > most) most = phi } END { print most }' out)" 1.48539816339745 1e-3
+
+run "$data/sphere_geodesic16.mesh.off" "$data/sphere_grf_seed1.field.txt" --at 0.5 --at 1 --at 1.5 --inside above
+check "contours of a random field" "$status $(tail -n 1 out | cut -f 1)" "0 16"
+measure
+check "one is a hole" "$measured $(grep -c "${tab}ok$tab" mu) $(grep -c "${tab}clockwise$tab" mu)" "2 16 1"
+measure --reverse auto
+check "it can be measured reversed" "$measured $(grep -c "${tab}ok$tab" mu)" "0 17"
+digest() {
+    awk -F '\t' '
+        NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
+        { printf "%d %.7f %.6f %.6f %.6f\n", $c["n"], $c["L"], $c["mu_2"], $c["mu_5"], $c["mu_6"] }' "$1" | sort
+}
+digest mu > ours
+digest "$data/sphere_grf_seed1.contours.ref.tsv" > theirs
+check "all are those found elsewhere" "$(cat ours)" "$(cat theirs)"
+
+# --- boundaries and other defects that are no errors ------------------------------------------------------------------
+
+cat > flat.obj << 'END'
+v 0 0 0
+v 1 0 0
+v 2 0 0
+v 0 1 0
+v 1 1 0
+v 2 1 0
+v 0 2 0
+v 1 2 0
+v 2 2 0
+f 1 2 5
+f 1 5 4
+f 2 3 6
+f 2 6 5
+f 4 5 8
+f 4 8 7
+f 5 6 9
+f 5 9 8
+END
+printf '0\n0\n0\n0\n1\n0\n0\n0\n0\n' > hill.txt
+run flat.obj hill.txt --at 0.5
+check "a closed curve on an open mesh" "$status $(cat err) $(rows out)" "0  6"
+run flat.obj --function x --at 0.5 --at 1.5
+check "open curves: status 2" $status 2
+said="1 curve ends at the boundary of the mesh: left out"
+check "open curves: a word for each level" "$(cat err)" "flat.obj: level 0.5: $said
+flat.obj: level 1.5: $said"
+check "open curves: left out" "$(rows out)" 0
+check "open curves: the area counts" "$(grep '^# level ' out)" "# level 0.5: loops 0, area 1, open curves left out 1
+# level 1.5: loops 0, area 3, open curves left out 1"
+
+sed 's/^3 \([0-9]\) \([0-9]\) \([0-9]\)$/3 \1 \3 \2/' oct.off > inward.off
+run inward.off z.txt --at 0.5
+check "inside out" "$status $(cat err)" "0 inward.off: inside out, its normals point inwards: --flip turns it round"
+run inward.off z.txt --at 0.5 --flip
+check "turned round" "$status $(cat err)" "0 "
+run oct.off z.txt --at 0.5
+grep '^0' out | sort > expected
+run inward.off z.txt --at 0.5 --flip
+check "turned round it is the same" "$(grep '^0' out | sort)" "$(cat expected)"
+printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n3 0 1 2\n3 0 3 4\n' > bow.off
+run bow.off --function z --at 1
+check "a pinched vertex" "$status $(cat err)" \
+    "0 bow.off: vertices where sheets touch that share no edge: 1 (normals there are a mean)"
+
+# --- complaints -------------------------------------------------------------------------------------------------------
+
+hint="(levelset --help shows examples)"
+refuses 1 "levelset: there is no mesh $hint"
+refuses 1 "levelset: there is no FIELD and no --function $hint" oct.off --at 1
+refuses 1 "levelset: there is no --at $hint" oct.off z.txt
+refuses 1 "levelset: one mesh and one field, this is one file more: more $hint" oct.off z.txt more --at 1
+both="FIELD and --function, or MESH and --subdivide, exclude each other"
+refuses 1 "levelset: $both: z.txt $hint" oct.off z.txt --function x
+refuses 1 "levelset: $both: oct.off $hint" --subdivide ico:1 oct.off --function x
+refuses 1 "levelset: standard input is either MESH or FIELD $hint" - - --at 1
+refuses 1 "levelset: unknown option: --levels $hint" oct.off z.txt --levels 1
+refuses 1 "levelset: a value is missing behind: --at $hint" oct.off z.txt --at
+refuses 1 "levelset: --at wants a finite number, got: half $hint" oct.off z.txt --at half
+refuses 1 "levelset: --at wants a finite number, got: nan $hint" oct.off z.txt --at nan
+refuses 1 "levelset: --inside wants below or above, got: out $hint" oct.off z.txt --at 1 --inside out
+refuses 1 "levelset: --digits wants 1 to 17, got: 0 $hint" oct.off z.txt --at 1 --digits 0
+for bad in cube:3 ico:99 ico: ico:2x; do
+    refuses 1 "levelset: --subdivide wants ico:N or oct:N with N from 0 to 12, got: $bad $hint" \
+        --subdivide $bad --function x
+done
+for bad in w flower:1,2,x flower:1,2,3,4,5,6 flower:.5,.1,2.5 flowers; do
+    refuses 1 "levelset: --function wants x, y, z or flower:R0,A,OMEGA,X0,Y0 (a whole OMEGA), got: $bad $hint" \
+        oct.off --function $bad
+done
+refuses 1 "none.off: cannot be opened" none.off z.txt --at 1
+refuses 1 "none.txt: cannot be opened" oct.off none.txt --at 1
+printf '0\n0\n# two of six\n\n0\nO\n1\n-1\n' > bad.txt
+refuses 1 "bad.txt:6: expected one finite number a line, got 'O'" oct.off bad.txt --at 1
+printf '0\n0\n' > bad.txt
+refuses 1 "bad.txt:2: the file ends after 2 values: the mesh has 6 vertices" oct.off bad.txt --at 1
+sed 's/^3 2 0 5$/4 2 0 5 4/' oct.off > bad.off
+refuses 1 "bad.off:13: a face of 4 corners, not 3" bad.off z.txt --at 1
+sed 's/^3 2 0 5$/3 0 2 5/' oct.off > bad.off
+run bad.off z.txt --at 1
+check "a face that runs the wrong way" "$status $(sed 's/:[0-9]*:.*run/: run/' err)" "1 bad.off: run opposite ways"
+if [ -w /dev/full ]; then
+    "$levelset" oct.off z.txt --at 0.5 > /dev/full 2> err
+    check "a full disk" "$? $(sed 's/written.*/written/' err)" "1 levelset: standard output cannot be written"
+fi
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,605 @@
+/* Step 1: corners become edge lengths, turning angles and Minkowski functionals.
+   cc -I. tests/test_measure.c -lm && ./a.out */
+#define SURFMINK_IMPLEMENTATION
+#include "surfmink.h"
+
+#include "harness.h"
+#include "shapes.h"
+
+/* --- conventions ---------------------------------------------------------------------------------------------------- */
+
+THEOREM(edge_i_leaves_corner_i_and_turning_i_is_the_turn_at_corner_i)
+{
+    /* Sides 4, 3, 5; the right angle is at corner 1. */
+    static const double corner[6] = {0, 0, 4, 0, 4, 3};
+    double length[3], turning[3];
+    CHECK_OK(surfmink_edges_plane(corner, 3, length, turning, NULL));
+    CHECK_NEAR(length[0], 4, 0);
+    CHECK_NEAR(length[1], 3, 0);
+    CHECK_NEAR(length[2], 5, 0);
+    CHECK_NEAR(turning[0], PI - atan2(3, 4), 1e-15);
+    CHECK_NEAR(turning[1], PI / 2, 0);
+    CHECK_NEAR(turning[2], PI - atan2(4, 3), 1e-15);
+}
+
+THEOREM(a_turn_to_the_inside_is_positive_and_a_dent_is_negative)
+{
+    /* An L: five corners of the outside, and a dent at corner 3. */
+    static const double corner[12] = {0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2};
+    double length[6], turning[6];
+    size_t i;
+    CHECK_OK(surfmink_edges_plane(corner, 6, length, turning, NULL));
+    for (i = 0; i < 6; ++i) CHECK_NEAR(turning[i], i == 3 ? -PI / 2 : PI / 2, 0);
+}
+
+THEOREM(the_octant_of_a_sphere_has_three_right_angles)
+{
+    static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
+    double length[3], turning[3], area;
+    size_t i;
+    CHECK_OK(surfmink_edges_sphere(corner, 3, 3.0, length, turning, NULL));
+    for (i = 0; i < 3; ++i) {
+        CHECK_CLOSE(length[i], 3 * PI / 2, 2e-16);
+        CHECK_CLOSE(turning[i], PI / 2, 2e-16);
+    }
+    CHECK_OK(surfmink_area_sphere(corner, 3, 3.0, &area));
+    CHECK_CLOSE(area, 4 * PI * 9 / 8, 3e-16);
+}
+
+/* --- the same lengths and angles found another way ------------------------------------------------------------------ */
+
+THEOREM(in_the_plane_a_turn_is_the_difference_of_two_edge_directions)
+{
+    chance c = {1};
+    double xy[2 * MOST], length[MOST], turning[MOST];
+    int trial;
+    for (trial = 0; trial < 3000; ++trial) {
+        size_t n = 3 + one_of(&c, MOST - 2), i;
+        random_star(&c, n, xy);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_plane(xy, n, length, turning, NULL));
+        for (i = 0; i < n; ++i) {
+            const double *from = xy + 2 * ((i + n - 1) % n), *at = xy + 2 * i, *to = xy + 2 * ((i + 1) % n);
+            double in = atan2(at[1] - from[1], at[0] - from[0]), out = atan2(to[1] - at[1], to[0] - at[0]);
+            CHECK_CLOSE(length[i], hypot(to[0] - at[0], to[1] - at[1]), 5e-16);
+            CHECK_ANGLE(turning[i], out - in, 2e-15);
+            CHECK(fabs(turning[i]) <= PI);
+        }
+    }
+}
+
+THEOREM(on_the_sphere_edges_are_great_circles)
+{
+    chance c = {2};
+    double xy[2 * MOST], xyz[3 * MOST], length[MOST], turning[MOST];
+    int trial;
+    for (trial = 0; trial < 1000; ++trial) {
+        size_t n = 3 + one_of(&c, 20), i, k;
+        double radius = between(&c, 0.1, 10);
+        random_star(&c, n, xy);
+        onto_sphere(xy, n, between(&c, 0.1, 3), xyz);
+        turn_somehow(&c, xyz, n);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_sphere(xyz, n, radius, length, turning, NULL));
+        for (i = 0; i < n; ++i) {
+            const double *from = xyz + 3 * ((i + n - 1) % n), *at = xyz + 3 * i, *to = xyz + 3 * ((i + 1) % n);
+            double before[3], after[3], around[3], cross[3], arc, least;
+            cross3(at, to, cross);
+            arc = atan2(sqrt(dot3(cross, cross)), dot3(at, to));
+            CHECK_NEAR(length[i] / radius, arc, 1e-15);
+            /* The planes of two great circles meet at the corner, at the angle between their poles. */
+            cross3(from, at, before);
+            cross3(at, to, after);
+            cross3(before, after, around);
+            least = fmin(sqrt(dot3(before, before)), sqrt(dot3(after, after)));
+            for (k = 0; k < 3; ++k) around[k] *= at[k];
+            CHECK_ANGLE(turning[i], atan2(around[0] + around[1] + around[2], dot3(before, after)), 1e-15 / least);
+        }
+    }
+}
+
+THEOREM(the_sphere_is_an_embedded_surface_whose_normals_are_its_corners)
+{
+    /* The projections of a chord and of a great circle to the tangent plane have the same direction, whatever their length. */
+    chance c = {3};
+    double xy[2 * MOST], xyz[3 * MOST], length[2][MOST], turning[2][MOST];
+    int trial;
+    for (trial = 0; trial < 1000; ++trial) {
+        size_t n = 3 + one_of(&c, MOST - 2), i;
+        random_star(&c, n, xy);
+        onto_sphere(xy, n, trial % 2 ? between(&c, 0.1, 3) : 1e-6, xyz);
+        turn_somehow(&c, xyz, n);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_sphere(xyz, n, 1.0, length[0], turning[0], NULL));
+        CHECK_OK(surfmink_edges_embedded(xyz, xyz, n, length[1], turning[1], NULL));
+        for (i = 0; i < n; ++i) {
+            CHECK_ANGLE(turning[0][i], turning[1][i], 5e-15);
+            CHECK_NEAR(length[1][i], 2 * sin(length[0][i] / 2), 1e-15); /* the corners are on the sphere to rounding only */
+        }
+    }
+}
+
+THEOREM(in_a_tilted_plane_only_the_part_of_an_edge_along_the_surface_turns)
+{
+    /* Edges that leave the tangent plane: their projections turn, their lengths do not shrink. */
+    chance c = {4};
+    double xy[2 * MOST], xyz[3 * MOST], normal[3 * MOST], flat[2][MOST], raised[2][MOST];
+    int trial;
+    for (trial = 0; trial < 500; ++trial) {
+        size_t n = 3 + one_of(&c, MOST - 2), i;
+        gentle_star(&c, n, xy);
+        for (i = 0; i < n; ++i) {
+            xyz[3 * i] = xy[2 * i];
+            xyz[3 * i + 1] = xy[2 * i + 1];
+            xyz[3 * i + 2] = i % 2 ? 0.0 : 0.05; /* zigzag along the normal */
+            normal[3 * i] = normal[3 * i + 1] = 0;
+            normal[3 * i + 2] = between(&c, 0.1, 10);
+        }
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_plane(xy, n, flat[0], flat[1], NULL));
+        CHECK_OK(surfmink_edges_embedded(xyz, normal, n, raised[0], raised[1], NULL));
+        for (i = 0; i < n; ++i) {
+            double rise = xyz[3 * ((i + 1) % n) + 2] - xyz[3 * i + 2];
+            CHECK_CLOSE(raised[0][i], hypot(flat[0][i], rise), 1e-15);
+            CHECK_ANGLE(raised[1][i], flat[1][i], 5e-15);
+        }
+    }
+}
+
+THEOREM(turning_angles_do_not_see_the_frames_of_the_callbacks)
+{
+    chance c = {5};
+    surfmink_surface plane = spinning_plane();
+    double xy[2 * MOST], scratch[2 * MOST], flat[2][MOST], spun[2][MOST];
+    int trial;
+    for (trial = 0; trial < 500; ++trial) {
+        size_t n = 3 + one_of(&c, MOST - 2), i;
+        random_star(&c, n, xy);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_plane(xy, n, flat[0], flat[1], NULL));
+        CHECK_OK(surfmink_edges_surface(&plane, xy, n, scratch, spun[0], spun[1], NULL));
+        for (i = 0; i < n; ++i) {
+            CHECK_CLOSE(spun[0][i], flat[0][i], 1e-15);
+            CHECK_ANGLE(spun[1][i], flat[1][i], 3e-15);
+        }
+    }
+}
+
+THEOREM(the_sphere_by_callbacks_is_the_sphere)
+{
+    chance c = {6};
+    double radius = 2.5, xy[2 * MOST], xyz[3 * MOST], scratch[2 * MOST], direct[2][MOST], called[2][MOST];
+    double mu[2][13], g[2][26];
+    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_functionals w[2];
+    int trial, p;
+    CHECK_EQUAL(sphere.stride, 3);
+    for (trial = 0; trial < 500; ++trial) {
+        size_t n = 3 + one_of(&c, MOST - 2), i;
+        radius = between(&c, 0.1, 10); /* read at each call */
+        random_star(&c, n, xy);
+        onto_sphere(xy, n, trial % 2 ? between(&c, 0.1, 3) : 1e-5, xyz);
+        turn_somehow(&c, xyz, n);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_sphere(xyz, n, radius, direct[0], direct[1], NULL));
+        CHECK_OK(surfmink_edges_surface(&sphere, xyz, n, scratch, called[0], called[1], NULL));
+        for (i = 0; i < n; ++i) {
+            CHECK_CLOSE(called[0][i], direct[0][i], 1e-15);
+            CHECK_ANGLE(called[1][i], direct[1][i], 5e-15);
+        }
+        CHECK_OK(surfmink_measure_sphere(xyz, n, radius, 12, mu[0], g[0], &w[0], NULL));
+        CHECK_OK(surfmink_measure_surface(&sphere, xyz, n, scratch, 12, mu[1], g[1], &w[1], NULL));
+        CHECK_CLOSE(w[1].length, w[0].length, 1e-15);
+        CHECK_CLOSE(w[1].turning, w[0].turning, 2e-15 * w[0].condition);
+        for (p = 0; p <= 12; ++p) CHECK_NEAR(mu[1][p], mu[0][p], 1e-14 * w[0].condition);
+    }
+}
+
+THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
+{
+    chance c = {7};
+    double xy[2 * MOST], on[3 * MOST], off[3 * MOST], length[2][MOST], turning[2][MOST];
+    int trial;
+    for (trial = 0; trial < 300; ++trial) {
+        size_t n = 3 + one_of(&c, 20), i, k;
+        random_star(&c, n, xy);
+        onto_sphere(xy, n, 1.0, on);
+        turn_somehow(&c, on, n);
+        for (i = 0; i < n; ++i) {
+            double factor = power_of_two((int)one_of(&c, 5) - 2); /* which leaves the direction as it is, to the bit */
+            for (k = 0; k < 3; ++k) off[3 * i + k] = factor * on[3 * i + k];
+        }
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_sphere(on, n, 7.0, length[0], turning[0], NULL));
+        CHECK_OK(surfmink_edges_sphere(off, n, 7.0, length[1], turning[1], NULL));
+        for (i = 0; i < n; ++i) {
+            double shortest = fmin(length[0][i], length[0][(i + n - 1) % n]) / 7;
+            CHECK_NEAR(length[1][i], length[0][i], 5e-14);
+            CHECK_ANGLE(turning[1][i], turning[0][i], 2e-15 / shortest);
+        }
+    }
+}
+
+/* --- Minkowski functionals ------------------------------------------------------------------------------------------ */
+
+THEOREM(the_functionals_are_area_length_and_total_turning)
+{
+    static const double corner[12] = {0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2}; /* the L: area 3, length 8, one dent */
+    double length[6], turning[6], mu[1];
+    surfmink_functionals w, total;
+    CHECK_OK(surfmink_measure_plane(corner, 6, 0, mu, NULL, &w, NULL));
+    CHECK_NEAR(mu[0], 1, 0);
+    CHECK_NEAR(w.area, 3, 0);
+    CHECK_NEAR(w.length, 8, 0);
+    CHECK_NEAR(w.turning, 2 * PI, 0);
+    CHECK_NEAR(w.curvature, 0, 0);
+    CHECK_NEAR(w.condition, 1.5, 0); /* six right angles, of which one is lost again */
+    CHECK_OK(surfmink_edges_plane(corner, 6, length, turning, NULL));
+    CHECK_OK(surfmink_total(length, turning, 6, &total));
+    CHECK_NEAR(total.area, 0, 0);
+    CHECK_NEAR(total.length, w.length, 0);
+    CHECK_NEAR(total.turning, w.turning, 0);
+    CHECK_NEAR(total.curvature, 2 * PI - w.turning, 0);
+    CHECK_NEAR(total.condition, w.condition, 0);
+}
+
+/* Theorem (Gauss-Bonnet): the turning angles add up to 2 pi minus the enclosed curvature. */
+THEOREM(the_total_turn_is_two_pi_in_the_plane)
+{
+    chance c = {8};
+    double xy[2 * MOST];
+    surfmink_functionals w;
+    int trial;
+    for (trial = 0; trial < 2000; ++trial) {
+        size_t n = 3 + one_of(&c, MOST - 2);
+        random_star(&c, n, xy);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_measure_plane(xy, n, 0, NULL, NULL, &w, NULL));
+        CHECK_CLOSE(w.turning, 2 * PI, 1e-15 * w.condition);
+        CHECK(w.area > 0);
+    }
+}
+
+THEOREM(the_total_turn_is_two_pi_minus_the_area_on_the_unit_sphere)
+{
+    chance c = {9};
+    double xy[2 * MOST], xyz[3 * MOST], area;
+    surfmink_functionals w;
+    int trial;
+    for (trial = 0; trial < 2000; ++trial) {
+        size_t n = 3 + one_of(&c, MOST - 2);
+        double radius = between(&c, 0.1, 10);
+        random_star(&c, n, xy);
+        onto_sphere(xy, n, between(&c, 0.01, 5), xyz);
+        turn_somehow(&c, xyz, n);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_measure_sphere(xyz, n, radius, 0, NULL, NULL, &w, NULL));
+        CHECK_CLOSE(w.turning, 2 * PI - w.area / (radius * radius), 1e-14 * w.condition);
+        CHECK_CLOSE(w.curvature, w.area / (radius * radius), 5e-16);
+        CHECK_OK(surfmink_area_sphere(xyz, n, radius, &area));
+        CHECK_CLOSE(w.area, area, 0);
+        CHECK(w.condition >= 1);
+    }
+}
+
+THEOREM(the_total_turn_is_two_pi_plus_the_area_in_the_hyperbolic_plane)
+{
+    chance c = {10};
+    surfmink_surface hyperbolic = hyperbolic_plane();
+    double xy[2 * MOST], scratch[2 * MOST];
+    surfmink_functionals w;
+    int trial;
+    for (trial = 0; trial < 1000; ++trial) {
+        size_t n = 3 + one_of(&c, 20), i;
+        double area;
+        random_star(&c, n, xy);
+        for (i = 0; i < 2 * n; ++i) xy[i] *= 0.7; /* geodesics of the disk bend towards its centre, where the star is */
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_measure_surface(&hyperbolic, xy, n, scratch, 0, NULL, NULL, &w, NULL));
+        area = hyperbolic_area(xy, n);
+        CHECK_NEAR(w.turning, 2 * PI + area, 1e-13 * w.condition);
+        CHECK_NEAR(w.curvature, -area, 1e-13 * w.condition);
+        CHECK_NEAR(w.area, 0, 0);
+    }
+}
+
+/* --- areas ---------------------------------------------------------------------------------------------------------- */
+
+THEOREM(far_away_squares_keep_their_area_and_every_other_digit)
+{
+    static const double square[8] = {0, 0, 1, 0, 1, 1, 0, 1};
+    double far_off[8], area = 0, length[4], turning[4];
+    surfmink_functionals w;
+    size_t i;
+    for (i = 0; i < 8; ++i) far_off[i] = square[i] + 1e8;
+    CHECK_OK(surfmink_area_plane(far_off, 4, &area));
+    CHECK_NEAR(area, 1, 0);
+    CHECK_OK(surfmink_measure_plane(far_off, 4, 0, NULL, NULL, &w, NULL));
+    CHECK_NEAR(w.area, 1, 0);
+    CHECK_OK(surfmink_edges_plane(far_off, 4, length, turning, NULL));
+    for (i = 0; i < 4; ++i) {
+        CHECK_NEAR(length[i], 1, 0);
+        CHECK_NEAR(turning[i], PI / 2, 0);
+    }
+    surfmink_reverse(far_off, 4, 2);
+    CHECK_OK(surfmink_area_plane(far_off, 4, &area));
+    CHECK_NEAR(area, -1, 0);
+}
+
+THEOREM(the_area_of_a_plane_polygon_is_the_sum_of_its_triangles)
+{
+    chance c = {11};
+    double xy[2 * MOST], area;
+    int trial;
+    for (trial = 0; trial < 500; ++trial) {
+        size_t n = 3 + one_of(&c, MOST - 2), i;
+        double sum = 0;
+        random_star(&c, n, xy);
+        for (i = 0; i < n; ++i) { /* about the centre of the star all of them count as positive */
+            const double *a = xy + 2 * i, *b = xy + 2 * ((i + 1) % n);
+            sum += (a[0] * b[1] - a[1] * b[0]) / 2;
+        }
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_area_plane(xy, n, &area));
+        CHECK_NEAR(area, sum, 3e-15);
+    }
+}
+
+THEOREM(tiny_cells_of_a_sphere_have_the_area_of_their_map)
+{
+    /* Near the pole the central projection stretches areas by 1 + 3/2 size^2, which is rounding for a size below 1e-8. */
+    chance c = {12};
+    double xy[2 * MOST], xyz[3 * MOST], flat, area;
+    surfmink_functionals w;
+    double size;
+    int trial;
+    for (trial = 0; trial < 200; ++trial)
+        for (size = 1e-9; size > 1e-13; size /= 10) {
+            size_t n = 3 + one_of(&c, MOST - 2), i;
+            random_star(&c, n, xy);
+            for (i = 0; i < n; ++i) {
+                xyz[3 * i] = xy[2 * i] *= size;
+                xyz[3 * i + 1] = xy[2 * i + 1] *= size;
+                xyz[3 * i + 2] = 1; /* only the direction counts */
+            }
+            CASE("trial %d, size %g", trial, size);
+            CHECK_OK(surfmink_area_plane(xy, n, &flat));
+            CHECK_OK(surfmink_area_sphere(xyz, n, 1.0, &area));
+            CHECK_CLOSE(area, flat, 2e-14);
+            CHECK_OK(surfmink_measure_sphere(xyz, n, 10.0, 0, NULL, NULL, &w, NULL));
+            CHECK_CLOSE(w.area, 100 * flat, 2e-14);
+            CHECK_CLOSE(w.curvature, flat, 2e-14); /* 2 pi - S would say 0 */
+        }
+}
+
+THEOREM(a_lune_through_both_poles_has_its_share_of_the_sphere)
+{
+    /* Corners 0 and 2, or 1 and 3, are opposite: wherever the fan of triangles starts, it meets that. */
+    chance c = {13};
+    int trial;
+    for (trial = 0; trial < 200; ++trial) {
+        double width = trial < 20 ? power_of_two(-2 * trial) : between(&c, 1e-3, 179.9), corner[12], moved[12], area;
+        double want = 2 * width * (PI / 180);
+        surfmink_functionals w;
+        size_t start;
+        CHECK_OK(surfmink_from_lonlat(0, 90, 1.0, corner));
+        CHECK_OK(surfmink_from_lonlat(0, between(&c, -80, 80), 1.0, corner + 3));
+        CHECK_OK(surfmink_from_lonlat(0, -90, 1.0, corner + 6));
+        CHECK_OK(surfmink_from_lonlat(width, between(&c, -80, 80), 1.0, corner + 9));
+        if (trial % 2) turn_somehow(&c, corner, 4);
+        for (start = 0; start < 4; ++start) {
+            double within = trial % 2 ? 1e-14 * (1 + 1 / want) : 2e-14;
+            start_at(start, corner, 4, 3, moved);
+            CASE("%g degrees wide, corner 0 is number %d", width, (int)start);
+            CHECK_OK(surfmink_area_sphere(moved, 4, 1.0, &area));
+            CHECK_CLOSE(area, want, within);
+            CHECK_OK(surfmink_measure_sphere(moved, 4, 1.0, 0, NULL, NULL, &w, NULL));
+            CHECK_CLOSE(w.area, want, within);
+            CHECK_CLOSE(w.length, 2 * PI, 1e-15);
+        }
+        surfmink_reverse(corner, 4, 3); /* the other side is the larger one, so this one counts as negative */
+        CHECK_OK(surfmink_area_sphere(corner, 4, 1.0, &area));
+        CHECK_CLOSE(area, -want, trial % 2 ? 1e-14 * (1 + 1 / want) : 2e-14);
+    }
+}
+
+THEOREM(the_area_on_a_sphere_does_not_depend_on_the_first_corner)
+{
+    chance c = {14};
+    double xy[2 * MOST], xyz[3 * MOST], moved[3 * MOST], area, again;
+    int trial;
+    for (trial = 0; trial < 200; ++trial) {
+        size_t n = 3 + one_of(&c, 20), start;
+        random_star(&c, n, xy);
+        onto_sphere(xy, n, between(&c, 0.1, 100), xyz); /* up to the whole hemisphere */
+        turn_somehow(&c, xyz, n);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_area_sphere(xyz, n, 1.0, &area));
+        for (start = 1; start < n; ++start) {
+            start_at(start, xyz, n, 3, moved);
+            CHECK_OK(surfmink_area_sphere(moved, n, 1.0, &again));
+            CHECK_NEAR(again, area, 2e-14);
+        }
+    }
+}
+
+THEOREM(a_hemisphere_has_half_the_sphere_on_either_side)
+{
+    static const double equator[12] = {1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0};
+    double area;
+    CHECK_OK(surfmink_area_sphere(equator, 4, 2.0, &area));
+    CHECK_CLOSE(fabs(area), 2 * PI * 4, 1e-15);
+}
+
+/* --- outlines that are drawn wrong as a whole ----------------------------------------------------------------------- */
+
+THEOREM(reversal_negates_every_turn)
+{
+    chance c = {15};
+    double xyz[3 * MOST], normal[3 * MOST], length[2][MOST], turning[2][MOST];
+    static const chart ellipsoid = {ELLIPSOID, 1.6, 1.3, 1.0};
+    surfmink_functionals w;
+    int trial;
+    for (trial = 0; trial < 200; ++trial) {
+        size_t n = 3 + one_of(&c, 20), i, bad;
+        star_on_chart(&c, &ellipsoid, between(&c, 1, 2), between(&c, 0, 6), 0.4, n, xyz, normal);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_embedded(xyz, normal, n, length[0], turning[0], NULL));
+        CHECK_OK(surfmink_measure_embedded(xyz, normal, n, 0, NULL, NULL, &w, NULL));
+        surfmink_reverse(xyz, n, 3);
+        surfmink_reverse(normal, n, 3);
+        CHECK_OK(surfmink_edges_embedded(xyz, normal, n, length[1], turning[1], NULL));
+        for (i = 0; i < n; ++i) {
+            CHECK_CLOSE(length[1][i], length[0][n - 1 - (i + 1) % n], 1e-15);
+            CHECK_ANGLE(turning[1][i], -turning[0][n - 1 - i], 1e-15);
+        }
+        CHECK_STATUS(surfmink_measure_embedded(xyz, normal, n, 0, NULL, NULL, &w, &bad), SURFMINK_CLOCKWISE);
+        CHECK_EQUAL(bad, n);
+        for (i = 0; i < 3 * n; ++i) normal[i] = -normal[i]; /* seen from inside the same corners are right again */
+        CHECK_OK(surfmink_measure_embedded(xyz, normal, n, 0, NULL, NULL, &w, NULL));
+    }
+}
+
+/* Draws a polygon of the plane, and the same one on the sphere about the pole, and says what becomes of either. */
+static void both_say(const double *xy, size_t n, int status)
+{
+    double xyz[3 * MOST];
+    size_t bad = 99;
+    surfmink_functionals w;
+    CHECK_STATUS(surfmink_measure_plane(xy, n, 2, NULL, NULL, &w, &bad), status);
+    CHECK_EQUAL(bad, status == SURFMINK_OK ? 99 : n);
+    onto_sphere(xy, n, 0.3, xyz);
+    CHECK_STATUS(surfmink_measure_sphere(xyz, n, 1.0, 2, NULL, NULL, &w, NULL), status);
+    onto_sphere(xy, n, 1e-6, xyz);
+    CHECK_STATUS(surfmink_measure_sphere(xyz, n, 1.0, 2, NULL, NULL, &w, NULL), status);
+}
+
+THEOREM(an_outline_that_crosses_itself_is_told_by_its_turning_and_its_area)
+{
+    static const double square[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
+    static const double bow_tie[8] = {-1, -1, 1, 1, 1, -1, -1, 1};
+    static const double eight[16] = {0, 0, 1, -1, 2, 0, 1, 1, -0.01, 0, -1, -1, -2, 0, -1, 1};
+    double loops[2 * MOST];
+    size_t i;
+    both_say(square, 4, SURFMINK_OK);
+    both_say(bow_tie, 4, SURFMINK_CROSSES_ITSELF);
+    both_say(eight, 8, SURFMINK_CROSSES_ITSELF);
+    for (i = 0; i < 15; ++i) { /* a spiral that goes round twice and closes, then three times */
+        loops[2 * i] = (1 + 0.02 * (double)i) * cos(2 * 2 * PI * (double)i / 15);
+        loops[2 * i + 1] = (1 + 0.02 * (double)i) * sin(2 * 2 * PI * (double)i / 15);
+    }
+    CASE("twice");
+    both_say(loops, 15, SURFMINK_CROSSES_ITSELF);
+    for (i = 0; i < 20; ++i) {
+        loops[2 * i] = (1 + 0.02 * (double)i) * cos(3 * 2 * PI * (double)i / 20);
+        loops[2 * i + 1] = (1 + 0.02 * (double)i) * sin(3 * 2 * PI * (double)i / 20);
+    }
+    CASE("three times");
+    both_say(loops, 20, SURFMINK_CROSSES_ITSELF);
+    CASE("five-pointed star");
+    for (i = 0; i < 5; ++i) {
+        loops[2 * i] = cos(2 * 2 * PI * (double)i / 5);
+        loops[2 * i + 1] = sin(2 * 2 * PI * (double)i / 5);
+    }
+    both_say(loops, 5, SURFMINK_CROSSES_ITSELF);
+}
+
+THEOREM(clockwise_outlines_are_refused)
+{
+    chance c = {16};
+    double xy[2 * MOST];
+    int trial;
+    for (trial = 0; trial < 200; ++trial) {
+        size_t n = 3 + one_of(&c, 20);
+        random_star(&c, n, xy);
+        CASE("trial %d", trial);
+        both_say(xy, n, SURFMINK_OK);
+        surfmink_reverse(xy, n, 2);
+        both_say(xy, n, SURFMINK_CLOCKWISE);
+    }
+}
+
+THEOREM(more_than_a_hemisphere_is_clockwise_and_a_great_circle_is_neither)
+{
+    chance c = {17};
+    double corner[3 * MOST], latitude;
+    surfmink_functionals w;
+    size_t n, i;
+    for (n = 3; n < 40; ++n)
+        for (latitude = -0.5; latitude < 1; latitude += 0.5) {
+            for (i = 0; i < n; ++i) CHECK_OK(surfmink_from_lonlat(360.0 * (double)i / (double)n, latitude, 1.0, corner + 3 * i));
+            turn_somehow(&c, corner, n);
+            CASE("%d corners at latitude %g", (int)n, latitude);
+            CHECK_STATUS(surfmink_measure_sphere(corner, n, 1.0, 2, NULL, NULL, &w, NULL),
+                         latitude < 0 ? SURFMINK_CLOCKWISE : latitude > 0 ? SURFMINK_OK : SURFMINK_TOO_MUCH_CURVATURE);
+            CHECK_STATUS(surfmink_measure_embedded(corner, corner, n, 2, NULL, NULL, &w, NULL),
+                         latitude < 0 ? SURFMINK_CLOCKWISE : latitude > 0 ? SURFMINK_OK : SURFMINK_TOO_MUCH_CURVATURE);
+        }
+}
+
+/* --- spikes --------------------------------------------------------------------------------------------------------- */
+
+THEOREM(a_whisker_that_sticks_out_is_measured_and_one_that_sticks_in_is_refused)
+{
+    /* A square whose corner 2 grows a hair and comes back: the turn at the tip of the hair is pi. */
+    double corner[12] = {-1, -1, 1, -1, 1, 1, 2, 2, 1, 1, -1, 1}, length[6], turning[6], mu[5];
+    surfmink_functionals w;
+    CHECK_OK(surfmink_edges_plane(corner, 6, length, turning, NULL));
+    CHECK_NEAR(turning[3], PI, 0);
+    CHECK_OK(surfmink_measure_plane(corner, 6, 4, mu, NULL, &w, NULL));
+    CHECK_NEAR(w.turning, 2 * PI, 1e-15);
+    CHECK_NEAR(w.area, 4, 0);
+    /* Four sides of length 2 have z^4 = 1, the two of the hair, sqrt 2 each, z^4 = -1. */
+    CHECK_CLOSE(mu[4], (8 - 2 * sqrt(2)) / (8 + 2 * sqrt(2)), 1e-15);
+    both_say(corner, 6, SURFMINK_OK);
+    corner[6] = corner[7] = 0.5;
+    both_say(corner, 6, SURFMINK_CROSSES_ITSELF);
+}
+
+THEOREM(every_output_of_the_easy_calls_may_be_left_out)
+{
+    static const double octant[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0}, triangle[6] = {0, 0, 4, 0, 4, 3};
+    double scratch[6], radius = 1, mu[4], g[8], only_mu[4], only_g[8];
+    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_functionals w;
+    CHECK_OK(surfmink_measure_plane(triangle, 3, 3, NULL, NULL, NULL, NULL));
+    CHECK_OK(surfmink_measure_sphere(octant, 3, 1.0, 3, NULL, NULL, NULL, NULL));
+    CHECK_OK(surfmink_measure_embedded(octant, octant, 3, 3, NULL, NULL, NULL, NULL));
+    CHECK_OK(surfmink_measure_surface(&sphere, octant, 3, scratch, 3, NULL, NULL, NULL, NULL));
+    CHECK_OK(surfmink_measure_plane(triangle, 3, 3, mu, g, &w, NULL));
+    CHECK_OK(surfmink_measure_plane(triangle, 3, 3, only_mu, NULL, NULL, NULL));
+    CHECK_OK(surfmink_measure_plane(triangle, 3, 3, NULL, only_g, NULL, NULL));
+    CHECK_SAME(only_mu, mu, 4);
+    CHECK_SAME(only_g, g, 8);
+}
+
+int main(void)
+{
+    PROVE(edge_i_leaves_corner_i_and_turning_i_is_the_turn_at_corner_i);
+    PROVE(a_turn_to_the_inside_is_positive_and_a_dent_is_negative);
+    PROVE(the_octant_of_a_sphere_has_three_right_angles);
+    PROVE(in_the_plane_a_turn_is_the_difference_of_two_edge_directions);
+    PROVE(on_the_sphere_edges_are_great_circles);
+    PROVE(the_sphere_is_an_embedded_surface_whose_normals_are_its_corners);
+    PROVE(in_a_tilted_plane_only_the_part_of_an_edge_along_the_surface_turns);
+    PROVE(turning_angles_do_not_see_the_frames_of_the_callbacks);
+    PROVE(the_sphere_by_callbacks_is_the_sphere);
+    PROVE(on_the_sphere_only_the_direction_of_a_corner_counts);
+    PROVE(the_functionals_are_area_length_and_total_turning);
+    PROVE(the_total_turn_is_two_pi_in_the_plane);
+    PROVE(the_total_turn_is_two_pi_minus_the_area_on_the_unit_sphere);
+    PROVE(the_total_turn_is_two_pi_plus_the_area_in_the_hyperbolic_plane);
+    PROVE(far_away_squares_keep_their_area_and_every_other_digit);
+    PROVE(the_area_of_a_plane_polygon_is_the_sum_of_its_triangles);
+    PROVE(tiny_cells_of_a_sphere_have_the_area_of_their_map);
+    PROVE(a_lune_through_both_poles_has_its_share_of_the_sphere);
+    PROVE(the_area_on_a_sphere_does_not_depend_on_the_first_corner);
+    PROVE(a_hemisphere_has_half_the_sphere_on_either_side);
+    PROVE(reversal_negates_every_turn);
+    PROVE(an_outline_that_crosses_itself_is_told_by_its_turning_and_its_area);
+    PROVE(clockwise_outlines_are_refused);
+    PROVE(more_than_a_hemisphere_is_clockwise_and_a_great_circle_is_neither);
+    PROVE(a_whisker_that_sticks_out_is_measured_and_one_that_sticks_in_is_refused);
+    PROVE(every_output_of_the_easy_calls_may_be_left_out);
+    return QED();
+}
