@@ -57,12 +57,11 @@
      Including the file again, with or without SURFMINK_IMPLEMENTATION, does nothing twice.
 
    ACCURACY
-     Of L about 1e-15 relative; of S, mu_p and p theta_p a few 1e-15 for p <= 12, times the condition number
-     sum |alpha_i| / S where an outline winds a lot or encloses a curvature near 2 pi; of areas about 1e-15 relative
-     at any size of the outline. tests/test_reference.c holds these against 50-digit reference values. Sums over many
-     corners are compensated: outlines of 1e7 corners are as accurate as those of ten. An edge that is steeper
-     than 45 degrees against the tangent plane of an embedded surface costs a factor 1/cos(slope).
-     Angles use differences of corners and atan2, never arccos: cells of size 1e-9 keep all digits.
+     Of L and areas 1e-15 relative at any size of the outline, of mu_p and p theta_p (p <= 12) a few 1e-15 times
+     (sum |alpha_i| + |2 pi - S|) / S: more where an outline winds a lot or encloses a curvature near 2 pi.
+     tests/test_reference.c holds them against 50-digit values, tests/accuracy against quadruple precision: on cells of
+     size 1e-12, corners off the sphere, edges steep against the tangent plane, needles, spikes, 1e7 corners.
+     Angles come from differences of corners and atan2, never arccos; long sums are compensated.
 
    DETERMINISM
      The same binary gives the same bits, whatever the thread or the locale. Different compilers may round differently
@@ -555,6 +554,30 @@ static double surfmink__value(const surfmink__sum *sum)
     return sum->high + sum->low;
 }
 
+/* a b - c d with the digits that survive when the two products cancel. Factors of ordinary magnitude are split into a
+   float and a rest, whose products are exact doubles: no compiler can spoil that by fusing a product with a sum. */
+static double surfmink__det(double a, double b, double c, double d)
+{
+    double a_high = (double)(float)a, b_high = (double)(float)b, c_high = (double)(float)c, d_high = (double)(float)d;
+    double a_low = a - a_high, b_low = b - b_high, c_low = c - c_high, d_low = d - d_high;
+    surfmink__sum sum;
+    sum.high = a_high * b_high - c_high * d_high; /* exact where the two cancel */
+    sum.low = a_low * b_low - c_low * d_low;
+    surfmink__add(&sum, a_high * b_low);
+    surfmink__add(&sum, a_low * b_high);
+    surfmink__add(&sum, -(c_high * d_low));
+    surfmink__add(&sum, -(c_low * d_high));
+    return surfmink__value(&sum);
+}
+
+/* a x b that keeps its digits when a and b are almost parallel. */
+static void surfmink__fine_cross(const double a[3], const double b[3], double c[3])
+{
+    c[0] = surfmink__det(a[1], b[2], a[2], b[1]);
+    c[1] = surfmink__det(a[2], b[0], a[0], b[2]);
+    c[2] = surfmink__det(a[0], b[1], a[1], b[0]);
+}
+
 static int surfmink__blame(int status, size_t corner, size_t *bad)
 {
     if (bad) *bad = corner;
@@ -638,28 +661,81 @@ static double surfmink__turn(const double in[3], const double out[3], const doub
                            nn * surfmink__dot(a, b) - surfmink__dot(a, n) * surfmink__dot(b, n));
 }
 
-/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; again on its own if absurdly far off. */
+/* n x (b - a): the difference keeps what rounding takes from it, for where it is almost along n that is all there
+   is. */
+static void surfmink__across(const double n[3], const double a[3], const double b[3], double across[3])
+{
+    double edge[3], lost[3], part[3], kept, scale;
+    size_t k;
+    surfmink__sub(b, a, 3, edge);
+    scale = surfmink__scale(surfmink__max_abs(edge, 3));
+    for (k = 0; k < 3; ++k) {
+        kept = edge[k] - b[k];
+        lost[k] = ((b[k] - (edge[k] - kept)) - (a[k] + kept)) * scale;
+        edge[k] *= scale;
+    }
+    surfmink__fine_cross(n, edge, across);
+    surfmink__cross(n, lost, part);
+    for (k = 0; k < 3; ++k) across[k] += part[k];
+}
+
+/* An edge that is steeper than 45 degrees against the tangent plane loses digits in the formula above. */
+static int surfmink__steep(const double edge[3], const double normal[3])
+{
+    double e[3], n[3], along;
+    surfmink__ordinary(edge, 3, e);
+    surfmink__ordinary(normal, 3, n);
+    along = surfmink__dot(e, n);
+    return 2 * along * along > surfmink__dot(e, e) * surfmink__dot(n, n);
+}
+
+/* The same turn for steep edges: both are projected first (and turned by 90 degrees), which costs them nothing. */
+static double surfmink__turn_steep(const double *previous, const double *x, const double *next, const double *normal)
+{
+    double n[3], a[3], b[3], cross[3];
+    surfmink__ordinary(normal, 3, n);
+    surfmink__across(n, previous, x, a);
+    surfmink__across(n, x, next, b);
+    surfmink__ordinary(a, 3, a);
+    surfmink__ordinary(b, 3, b);
+    surfmink__fine_cross(a, b, cross);
+    return surfmink__angle(surfmink__dot(n, cross) / SURFMINK_SQRT(surfmink__dot(n, n)), surfmink__dot(a, b));
+}
+
+/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; on its own if absurdly far off. */
 static double surfmink__sphere_point(const surfmink__outline *o, size_t i, double x[3])
 {
     double m;
     size_t k;
     for (k = 0; k < 3; ++k) x[k] = o->corner[3 * i + k] * o->scale;
     m = surfmink__max_abs(x, 3);
-    if (m > 0 && (m > 1.6069380442589903e60 || m < 6.2230152778611417e-61)) surfmink__ordinary(x, 3, x);
+    if (!(m <= 1.329227995784916e36 && m >= 7.5231638452626401e-37)) /* 2^120, 2^-120 */
+        surfmink__ordinary(o->corner + 3 * i, 3, x);
     return SURFMINK_SQRT(surfmink__dot(x, x));
 }
 
 /* y/|y| - x/|x| without cancellation: with d = y - x and h = |y| - |x| = d.(x + y)/(|x| + |y|) it is (d - x h/|x|)/|y|.
-   Returns its length, or 0 where that is no more than what rounding left of the radial part h. */
+   Where x and y differ mostly in their distance from the centre, that leaves little: then it is put together from its
+   parts along and across x, with sine m/(|x||y|) and cosine of the angle between them, m = x x y in all its digits.
+   Returns its length, or 0 where that is no more than what rounding of x and y makes of h. */
 static double surfmink__chord(const double x[3], double x_norm, const double y[3], double y_norm, double chord[3])
 {
-    double d[3], sum[3], h, length;
+    double d[3], sum[3], m[3], across[3], h, length, sine, cosine;
     size_t k;
     surfmink__sub(y, x, 3, d);
     for (k = 0; k < 3; ++k) sum[k] = x[k] + y[k];
     h = surfmink__dot(d, sum) / (x_norm + y_norm);
     for (k = 0; k < 3; ++k) chord[k] = (d[k] - x[k] * (h / x_norm)) / y_norm;
     length = surfmink__norm(chord, 3);
+    if (surfmink__abs(h) > length * y_norm) {
+        surfmink__fine_cross(x, y, m);
+        surfmink__cross(m, x, across);
+        sine = surfmink__norm(m, 3) / x_norm / y_norm;
+        cosine = surfmink__dot(x, y) / x_norm / y_norm;
+        for (k = 0; k < 3; ++k)
+            chord[k] = across[k] / x_norm / x_norm / y_norm - x[k] / x_norm * (sine * sine / (1 + cosine));
+        length = surfmink__norm(chord, 3);
+    }
     return length > 8 * surfmink__eps * surfmink__abs(h / y_norm) ? length : 0;
 }
 
@@ -703,14 +779,15 @@ static int surfmink__check_corner(const surfmink__outline *o, size_t i)
     return SURFMINK_OK;
 }
 
-/* Does an edge run along a normal, so that it has no direction in the tangent plane? 1e-6 rad, in sine. */
-static int surfmink__upright(const double edge[3], const double normal[3])
+/* Does the edge from a to b run along a normal, so that it has no direction in the tangent plane? 1e-6 rad, in sine. */
+static int surfmink__upright(const double *a, const double *b, const double edge[3], const double normal[3])
 {
-    double e[3], n[3], along;
+    double e[3], n[3], across[3];
+    if (!surfmink__steep(edge, normal)) return 0;
     surfmink__ordinary(edge, 3, e);
     surfmink__ordinary(normal, 3, n);
-    along = surfmink__dot(e, n);
-    return !(along * along < (1 - 1e-12) * surfmink__dot(e, e) * surfmink__dot(n, n));
+    surfmink__across(n, a, b, across);
+    return !(surfmink__dot(across, across) > 1e-12 * surfmink__dot(e, e) * surfmink__dot(n, n));
 }
 
 /* Is there something wrong with the edge from corner i to the next? */
@@ -718,17 +795,20 @@ static int surfmink__check_edge(const surfmink__outline *o, size_t i)
 {
     size_t next = surfmink__next(o, i), dim = (size_t)o->dim;
     double edge[3], x[3], y[3], x_norm, y_norm, angle;
+    const double *a, *b;
     if (o->kind == SURFMINK__MEASURED) return SURFMINK_OK;
     if (o->kind == SURFMINK__SPHERE) {
         x_norm = surfmink__sphere_point(o, i, x);
         y_norm = surfmink__sphere_point(o, next, y);
         return surfmink__arc(x, x_norm, y, y_norm, edge, &angle);
     }
-    surfmink__sub(o->corner + dim * next, o->corner + dim * i, dim, edge);
-    if (!surfmink__finite(edge, dim)) return SURFMINK_NOT_FINITE;
+    a = o->corner + dim * i;
+    b = o->corner + dim * next;
+    surfmink__sub(b, a, dim, edge);
+    if (!(surfmink__max_abs(edge, dim) <= 1e308)) return SURFMINK_NOT_FINITE; /* or its length may not be */
     if (!(surfmink__max_abs(edge, dim) > 0)) return SURFMINK_COINCIDENT_CORNERS;
     if (o->kind == SURFMINK__EMBEDDED &&
-        (surfmink__upright(edge, o->normal + 3 * i) || surfmink__upright(edge, o->normal + 3 * next)))
+        (surfmink__upright(a, b, edge, o->normal + 3 * i) || surfmink__upright(a, b, edge, o->normal + 3 * next)))
         return SURFMINK_UPRIGHT_EDGE;
     return SURFMINK_OK;
 }
@@ -773,7 +853,11 @@ static void surfmink__measure_corner(const surfmink__outline *o, size_t i, doubl
         surfmink__sub(o->corner + 3 * i, o->corner + 3 * previous, 3, in);
         surfmink__sub(o->corner + 3 * next, o->corner + 3 * i, 3, out);
         *length = surfmink__norm(out, 3);
-        *turning = surfmink__turn(in, out, o->normal + 3 * i);
+        if (surfmink__steep(in, o->normal + 3 * i) || surfmink__steep(out, o->normal + 3 * i))
+            *turning = surfmink__turn_steep(o->corner + 3 * previous, o->corner + 3 * i, o->corner + 3 * next,
+                                            o->normal + 3 * i);
+        else
+            *turning = surfmink__turn(in, out, o->normal + 3 * i);
         break;
     case SURFMINK__MEASURED:
         *length = o->length[i];
@@ -804,9 +888,10 @@ static surfmink__outline surfmink__outline_measured(const double *length, const 
     return o;
 }
 
+/* A radius, or a distance: finite even if multiplied by 2 pi. */
 static int surfmink__positive(double x)
 {
-    return x > 0 && surfmink__finite(&x, 1);
+    return x > 0 && x <= 1e307;
 }
 
 static surfmink__outline surfmink__outline_sphere(const double *corner, size_t n, double radius)
@@ -992,6 +1077,7 @@ static int surfmink__judge_plane(const surfmink__outline *o, surfmink_functional
 {
     if (w->turning < -surfmink__pi && w->turning > -3 * surfmink__pi) return SURFMINK_CLOCKWISE;
     if (!(w->turning > surfmink__pi && w->turning < 3 * surfmink__pi)) return SURFMINK_CROSSES_ITSELF;
+    w->turning = surfmink__two_pi; /* which the sum of n turns misses by rounding */
     w->area = surfmink__area_plane(o);
     w->curvature = 0;
     return SURFMINK_OK;
@@ -1179,6 +1265,7 @@ typedef struct surfmink__curve {
     const surfmink__outline *outline;
     const double *phase; /* f_i, or NULL: factor times the sum of the turns */
     double factor, fraction;
+    double length, unit; /* L, and a power of two that makes lengths ordinary, so that no sum overflows or goes under */
     size_t first;
 } surfmink__curve;
 
@@ -1224,8 +1311,8 @@ static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count,
         b->z_re[j] = SURFMINK_COS(phase);
         b->z_im[j] = SURFMINK_SIN(phase);
         surfmink__power(b->z_re[j], b->z_im[j], rank, &re, &im);
-        b->w_re[j] = length * re;
-        b->w_im[j] = length * im;
+        b->w_re[j] = length * c->unit * re;
+        b->w_im[j] = length * c->unit * im;
     }
     b->count = count;
 }
@@ -1254,8 +1341,15 @@ static double surfmink__modulus(double re, double im)
     return surfmink__norm(v, 2);
 }
 
+/* |g_p| / L, which rounding may take an eps or two above 1. */
+static double surfmink__ratio(double re, double im, double length)
+{
+    double mu = surfmink__modulus(re / length, im / length);
+    return mu > 1 ? 1 : mu;
+}
+
 /* g_p = sum l_i exp(i p f_i) and mu_p = |g_p| / L for p = 1..P, a tile of ranks at a time; g_0 = L is known. */
-static void surfmink__integrate(const surfmink__curve *c, double length, int max_rank, double *mu, double *g)
+static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *mu, double *g)
 {
     surfmink__block block;
     surfmink__sum sum[2 * SURFMINK__TILE], turned;
@@ -1263,7 +1357,7 @@ static void surfmink__integrate(const surfmink__curve *c, double length, int max
     double re, im;
     int first, p, ranks;
     if (g) {
-        g[0] = length;
+        g[0] = c->length;
         g[1] = 0;
     }
     if (mu) mu[0] = 1;
@@ -1280,18 +1374,20 @@ static void surfmink__integrate(const surfmink__curve *c, double length, int max
             re = surfmink__value(sum + 2 * p);
             im = surfmink__value(sum + 2 * p + 1);
             if (g) {
-                g[2 * (first + p)] = re;
-                g[2 * (first + p) + 1] = im;
+                g[2 * (first + p)] = re / c->unit;
+                g[2 * (first + p) + 1] = im / c->unit;
             }
-            if (mu) mu[first + p] = surfmink__modulus(re / length, im / length);
+            if (mu) mu[first + p] = surfmink__ratio(re, im, c->length * c->unit);
         }
     }
 }
 
-static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double factor)
+static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double length, double factor)
 {
     surfmink__curve c;
     c.outline = o;
+    c.length = length;
+    c.unit = length > 0 ? surfmink__scale(length) : 1;
     c.phase = NULL;
     c.factor = factor;
     c.fraction = 0;
@@ -1299,21 +1395,26 @@ static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double fac
     return c;
 }
 
-static double surfmink__perimeter(const surfmink__outline *o)
+/* What the two functions below have in common: measured edges, checked, and their sum. */
+static int surfmink__check_measured(const surfmink__outline *o, int max_rank, double *length)
 {
-    double length, turning, turned;
-    surfmink__sums(o, &length, &turning, &turned);
-    return length;
+    double turning, turned;
+    int status = max_rank >= 0 ? surfmink__check(o, NULL) : SURFMINK_BAD_ARGUMENT;
+    if (status != SURFMINK_OK) return status;
+    surfmink__sums(o, length, &turning, &turned);
+    return surfmink__finite(length, 1) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
 }
 
 SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase, size_t n, int max_rank, double *g)
 {
     surfmink__outline o = surfmink__outline_measured(length, phase, n);
-    surfmink__curve c = surfmink__curve_of(&o, 1);
-    int status = max_rank >= 0 ? surfmink__check(&o, NULL) : SURFMINK_BAD_ARGUMENT;
+    surfmink__curve c;
+    double total;
+    int status = surfmink__check_measured(&o, max_rank, &total);
     if (status != SURFMINK_OK) return status;
+    c = surfmink__curve_of(&o, total, 1);
     c.phase = phase;
-    surfmink__integrate(&c, surfmink__perimeter(&o), max_rank, NULL, g);
+    surfmink__integrate(&c, max_rank, NULL, g);
     return SURFMINK_OK;
 }
 
@@ -1321,13 +1422,15 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
                                                double fraction, int max_rank, double *g)
 {
     surfmink__outline o = surfmink__outline_measured(length, turning, n);
-    surfmink__curve c = surfmink__curve_of(&o, 1);
-    int status = max_rank >= 0 && fraction >= 0 && fraction < 1 ? surfmink__check(&o, NULL) : SURFMINK_BAD_ARGUMENT;
+    surfmink__curve c;
+    double total;
+    int status = surfmink__check_measured(&o, max_rank, &total);
     if (status != SURFMINK_OK) return status;
-    if (edge >= n) return SURFMINK_BAD_ARGUMENT;
+    if (edge >= n || !(fraction >= 0 && fraction < 1)) return SURFMINK_BAD_ARGUMENT;
+    c = surfmink__curve_of(&o, total, 1);
     c.first = edge;
     c.fraction = fraction;
-    surfmink__integrate(&c, surfmink__perimeter(&o), max_rank, NULL, g);
+    surfmink__integrate(&c, max_rank, NULL, g);
     return SURFMINK_OK;
 }
 
@@ -1415,13 +1518,18 @@ static double surfmink__argument(const double *g, int p)
 
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
 {
+    double largest;
     int p;
     if (max_rank < 0) return SURFMINK_BAD_ARGUMENT;
     if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
     if (!(g[0] > 0)) return SURFMINK_BAD_ARGUMENT;
     for (p = 0; p <= max_rank; ++p) {
+        largest = surfmink__max_abs(g + 2 * p, 2);
+        if (!(largest <= 1e308 && largest / g[0] <= 1e308)) return SURFMINK_NOT_FINITE; /* or |g_p| may not be */
+    }
+    for (p = 0; p <= max_rank; ++p) {
         if (lambda) lambda[p] = surfmink__modulus(g[2 * p], g[2 * p + 1]);
-        if (mu) mu[p] = surfmink__modulus(g[2 * p] / g[0], g[2 * p + 1] / g[0]);
+        if (mu) mu[p] = surfmink__ratio(g[2 * p], g[2 * p + 1], g[0]);
         if (theta) theta[p] = p > 0 ? surfmink__argument(g, p) / p : 0;
     }
     return SURFMINK_OK;
@@ -1519,8 +1627,8 @@ static int surfmink__measure(const surfmink__outline *o, int max_rank, double *m
     if (max_rank < 0) return surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
     if ((status = surfmink__check(o, bad)) != SURFMINK_OK) return status;
     if ((status = surfmink__functionals(o, &total)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
-    c = surfmink__curve_of(o, surfmink__two_pi / total.turning);
-    if (mu || g) surfmink__integrate(&c, total.length, max_rank, mu, g);
+    c = surfmink__curve_of(o, total.length, surfmink__two_pi / total.turning);
+    if (mu || g) surfmink__integrate(&c, max_rank, mu, g);
     if (w) *w = total;
     return SURFMINK_OK;
 }
@@ -1590,7 +1698,7 @@ SURFMINK_DEF int surfmink_sphere_log(const double x[3], const double y[3], doubl
 
 SURFMINK_DEF int surfmink_sphere_exp(const double x[3], const double vector[3], double radius, double y[3])
 {
-    double unit[3], v[3], tangent[3], length, part, cosine, sine;
+    double unit[3], v[3], tangent[3], length, part, turn, cosine, sine;
     size_t k;
     if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
     if (!surfmink__finite(x, 3) || !surfmink__finite(vector, 3)) return SURFMINK_NOT_FINITE;
@@ -1599,10 +1707,12 @@ SURFMINK_DEF int surfmink_sphere_exp(const double x[3], const double vector[3], 
     part = surfmink__dot(vector, unit);
     for (k = 0; k < 3; ++k) v[k] = vector[k] - part * unit[k];
     length = surfmink__norm(v, 3);
+    turn = length / radius;
+    if (!surfmink__finite(&turn, 1)) return SURFMINK_NOT_FINITE;
     tangent[0] = tangent[1] = tangent[2] = 0;
     if (length > 0) surfmink__unit(v, 3, tangent);
-    cosine = SURFMINK_COS(length / radius);
-    sine = SURFMINK_SIN(length / radius);
+    cosine = SURFMINK_COS(turn);
+    sine = SURFMINK_SIN(turn);
     for (k = 0; k < 3; ++k) y[k] = radius * (cosine * unit[k] + sine * tangent[k]);
     return SURFMINK_OK;
 }

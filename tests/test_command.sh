@@ -177,9 +177,12 @@ printf 'x y\n\n0 0\n1 0\n# not an end\n1 1\n\n\n2 0\n3 0\n3 1\n' > in
 run
 measured "without ids a blank line ends a polygon" id "0 1"
 check "without ids: corners" "$(column n)" "3 3"
-printf '\357\273\277cell\tx\ty\r\na\t0\t0\r\na\t1\t0\r\n\r\na\t1\t1' > in
+printf '\357\273\277x\ty\tcell\t\r\n0\t0\ta\r\n1\t0\ta\r\n\r\n1\t1\ta' > in
 run
 measured "byte order mark, CRLF, no end of the last line" n 3
+printf 'cell x y\t\na 0 0 \na 1 0  \na 1 1\n' > in
+run
+measured "blanks at the end of lines" n 3
 printf 'cell x y\ra 0 0\ra 1 0\ra 1 1\r' > in
 run
 measured "lone CR" n 3
@@ -387,8 +390,13 @@ a 0 1 0  0 1 0
 a 0 0 1  0 0 1
 END
 run --smooth 1
-check "smooth: normals too, here they become equal and the triangle flat: too small to measure" \
-    "$(field 1 status)" coincident_corners
+check "smooth: three corners become one" "$(field 1 status)" coincident_corners
+printf 'cell x y z nx ny nz\na 0 0 0 0 0 1\na 3 0 0 3 0 1\na 3 3 0 0 3 1\na 0 3 0 0 0 1\n' > in
+run --smooth 1
+first=$(sed -n 2p out)
+printf 'cell x y z nx ny nz\na 1 1 0 1 0 1\na 2 1 0 1 1 1\na 2 2 0 1 1 1\na 1 2 0 0 1 1\n' > in
+run
+check "smooth: normals as well as corners" "$first" "$(sed -n 2p out)"
 
 # --- options that change the numbers ----------------------------------------------------------------------------------
 
@@ -430,9 +438,19 @@ near "e_3_z" "$(field 1 e_3_z)" -1
 cp octant.tsv in
 run --directions --surface embedded
 near "chords: the co-normal of the first edge is the same" "$(field 1 e_3_z)" -1
-cp octant.tsv in
-run --directions --surface sphere
-near "corners off the sphere: e_3_z" "$(field 1 e_3_z)" -1
+printf 'cell x y z\na 1 0 0\na 0 1 1\na 0 0 1\n' > in
+run --surface sphere --directions --digits 12
+first=$(sed -n 2p out)
+printf 'cell x y z\na 3 0 0\na 0 1 1\na 0 0 2\n' > in
+run --surface sphere --directions --digits 12
+check "directions do not notice corners off the sphere" "$first" "$(sed -n 2p out)"
+for triangle in '0 0 4 0 0 3' '4 0 0 3 0 0' '0 3 0 0 4 0'; do
+    { echo 'cell x y'; printf 'a %s %s\n' $triangle; } > in
+    run --directions
+    near "a direction of the plane, wherever the outline begins: $triangle" \
+        "$(awk -v x="$(field 1 e_2_x)" -v y="$(field 1 e_2_y)" 'BEGIN { printf "%.17g", x * y / (x * x + y * y) }')" \
+        0.4472135954999579
+done
 
 # --- several files ----------------------------------------------------------------------------------------------------
 
@@ -526,6 +544,8 @@ mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n'
 stopped "a negative index" "bad.off:6: '-1' is not the index of a vertex"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n'
 stopped "a face cut short" "bad.off:6: 4 corners are announced, 3 follow"
+mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2 \n'
+stopped "a face cut short, before a blank" "bad.off:6: 4 corners are announced, 3 follow"
 mesh 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
 stopped "a face too few" "bad.off:6: the file ends before face 1"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n'
@@ -587,6 +607,20 @@ check "quiet" "$status $(cat err)" "2 "
 square > in
 run --summary --max-rank 12
 has "mu_4, mu_8 and mu_12 of a square are equal: the smallest is the dominant one" err "p=4: 1  p=5: 0  p=6: 0  p=7: 0  p=8: 0"
+cat > in << 'END'
+cell x y
+a 7.9734389939780144 6.0352523235827409
+a -1.2399623334827061 9.9228268861017686
+a -9.2134013274607209 3.8875745625190299
+a -7.9734389939780144 -6.0352523235827391
+a 1.2399623334827026 -9.9228268861017686
+a 9.2134013274607227 -3.8875745625190272
+END
+run --summary --max-rank 12
+has "and of a hexagon, even where rounding sees a difference" err "p=6: 1  p=7: 0"
+printf 'cell lon lat\na 50 10\na 140 20\na 210 10\na 270 50\na 330 10\n' > in
+run --summary --max-rank 2
+has "dominant is p >= 2, though mu_1 = 0.23 is larger here" err "p=2: 1"
 printf 'cell x y\nx 0 0\n' > in
 run --summary --quiet
 check "summary of nothing" "$(cat err)" "0 measured, 1 refused"
@@ -633,8 +667,48 @@ run --svg a.svg --view 33,0
 check "cut by the horizon" "$(seen)" "c0 c60 c120 c300 "
 check "the cut ends at the rim" "$(sed -n 's/<path d="\([^"]*\)".*c300:.*/\1/p' a.svg | tr 'MLZ' '\n\n\n' | awk '
     NF == 2 { r = sqrt(($1 - 380) ^ 2 + ($2 - 380) ^ 2); if (r > most) most = r } END { print (most > 358 && most < 358.6) }')" 1
+# The path of an outline in the picture.
+path() {
+    sed -n "s/<path d=\"\([^\"]*\)\".*<title>$1:.*/\1/p" a.svg
+}
+run --svg a.svg --view 0,0
+check "east is right" "$(path c60 | tr 'MLZ' '   ' | awk '{ print ($1 > 600) }')" 1
+printf 'ring lon lat\no 0 0\no 90 0\no 0 90\n' > in
+run --svg a.svg --view 45,30
+check "edges are great circles, not chords: a point every 2 degrees" "$(path o | tr -cd L | wc -c | awk '{ print ($1 >= 134) }')" 1
+check "north is up" "$(path o | tr 'MLZ' '\n\n\n' | awk 'NF == 2 && (n++ == 0 || $2 < top) { top = $2 } END { print (top < 100) }')" 1
+# A letter C, its arms to the east; what is seen of it is one ring from the west and two from the east.
+cat > in << 'END'
+ring lon lat
+C -40 -40
+C 40 -40
+C 40 -20
+C -20 -20
+C -20 20
+C 40 20
+C 40 40
+C -40 40
+END
+run --svg a.svg --view -70,0
+check "an outline that goes behind the horizon and comes back: one ring" "$(path C | tr -cd M)" M
+run --svg a.svg --view 80,0
+check "two rings" "$(path C | tr -cd M)" MM
+# Refused as clockwise, and cut by the horizon: the smaller side is drawn, not the rest of the sphere.
+printf 'ring lon lat\nr 80 0\nr 80 10\nr 100 10\nr 100 0\nm 40 0\nm -40 20\nm -40 0\n' > in
+run --svg a.svg --view 0,0 --quiet
+check "clockwise at the rim" "$(path r | tr -cd L | wc -c | awk '{ print ($1 < 25) }')" 1
+printf 'ring lon lat\no 40 0\no 41 0\no 41 1\n' > in
+run --svg a.svg --view 30,0
+has "a few small outlines fill the picture, and the middle of the sphere lies outside" a.svg '<circle cx="-'
 run --svg a.svg
-check "without --view something can be seen" "$([ -n "$(seen)" ] && echo yes)" yes
+check "without --view something can be seen" "$(seen)" "o "
+# The strokes of a large triangle do not depend on where its outline begins.
+glyph() {
+    { echo 'ring lon lat'; printf 'o %s %s\n' $1; } > in
+    run --svg a.svg --view 30,20 --color-by mu_3
+    sed -n 's/.*stroke-linecap="round" d="\([^"]*\)".*/\1/p' a.svg | tr M '\n' | sort
+}
+check "strokes: wherever the outline begins" "$(glyph '0 0 70 10 0 50')" "$(glyph '70 10 0 50 0 0')"
 run cube.off --svg a.svg --view 1,2,3
 check "three faces of a cube" "$(seen)" "3 4 1 "
 run cube.off --svg a.svg --view 0,0,1

@@ -157,6 +157,9 @@ check "a level at four vertices" "$(awk '/^0/ { print $3 + 0, $4 + 0, $5 + 0 }' 
 run oct.off z.txt --at 1 --inside above
 check "a level at the top" "$status $(cat err) $(rows out)" "0  0"
 check "a note on it" "$(sed -n 2p out)" "# level 1: loops 0, area 0, open curves left out 0, collapsed loops left out 1"
+run oct.off z.txt --at 0.1 --at 0.1234567890123456 --at 1e-300
+check "levels come back as they went in, without noise" "$(awk '/^[0-9]/ { print $2 }' out | uniq | tr '\n' ' ')" \
+    "0.1 0.1234567890123456 1e-300 "
 run oct.off z.txt --at 5
 check "a level above all" "$status $(rows out)" "0 0"
 measure
@@ -240,6 +243,9 @@ check "open curves: the area counts" "$(grep '^# level ' out)" "# level 0.5: loo
 sed 's/^3 \([0-9]\) \([0-9]\) \([0-9]\)$/3 \1 \3 \2/' oct.off > inward.off
 run inward.off z.txt --at 0.5
 check "inside out" "$status $(cat err)" "0 inward.off: inside out, its normals point inwards: --flip turns it round"
+sed '$d; s/^6 8 /6 7 /' inward.off > cup.off
+run cup.off z.txt --at 0.5
+check "an open mesh has no inside" "$status $(cat err)" "0 "
 run inward.off z.txt --at 0.5 --flip
 check "turned round" "$status $(cat err)" "0 "
 run oct.off z.txt --at 0.5

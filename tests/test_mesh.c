@@ -751,15 +751,19 @@ THEOREM(a_level_at_vertices_is_the_limit_of_levels_just_below_it)
     sphere(&m, MESH_OCTAHEDRON, 3);
     field = field_of(&m, height);
     for (trial = 0; trial < 200; ++trial) {
-        mesh_loops at, below, above;
+        mesh_loops at, nearly, below, above;
         double length, short_length, turning;
         CASE("trial %d", trial);
         for (v = 0; v < m.vertices; ++v) field[v] = (double)one_of(&c, 4);
         cut(&m, field, 2, MESH_BELOW, &at);
+        cut(&m, field, 2 - 1e-14, MESH_BELOW, &nearly);
         cut(&m, field, 2 - 1e-9, MESH_BELOW, &below);
         cut(&m, field, 2, MESH_ABOVE, &above);
         check_tidy(&at);
         check_tidy(&below);
+        CHECK_EQUAL(nearly.loops, at.loops); /* 1e-14 is as good as nothing */
+        CHECK_EQUAL(nearly.collapsed, at.collapsed);
+        CHECK_EQUAL(nearly.start[nearly.loops], at.start[at.loops]);
         CHECK_EQUAL(at.loops + at.collapsed, below.loops);
         CHECK_EQUAL(below.collapsed, 0);
         CHECK_NEAR(at.area, below.area, 1e-8);
@@ -771,6 +775,7 @@ THEOREM(a_level_at_vertices_is_the_limit_of_levels_just_below_it)
             CHECK(length <= short_length + 1e-7); /* what ran there and back is gone */
         }
         mesh_free_loops(&at);
+        mesh_free_loops(&nearly);
         mesh_free_loops(&below);
         mesh_free_loops(&above);
     }

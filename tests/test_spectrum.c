@@ -331,15 +331,17 @@ static void four_steps(size_t n, double *length, double *turning, surfmink_funct
 static void same_measure(const surfmink_functionals *w, const double *g, const double *mu, const surfmink_functionals *easy_w,
                          const double *easy_g, const double *easy_mu)
 {
+    /* In the plane the easy call knows that S is 2 pi; the steps have a sum of turns, off by rounding. */
+    double within = 1e-15 * w->condition;
     int p;
     CHECK_CLOSE(easy_w->length, w->length, 4e-16);
-    CHECK_CLOSE(easy_w->turning, w->turning, 4e-16);
-    CHECK_CLOSE(easy_w->condition, w->condition, 4e-16);
+    CHECK_CLOSE(easy_w->turning, w->turning, within);
+    CHECK_CLOSE(easy_w->condition, w->condition, within);
     CHECK_NEAR(easy_mu[0], 1, 0);
     for (p = 0; p <= P; ++p) {
-        CHECK_NEAR(easy_mu[p], mu[p], 1e-15);
-        CHECK_NEAR(easy_g[2 * p], g[2 * p], 1e-15 * w->length);
-        CHECK_NEAR(easy_g[2 * p + 1], g[2 * p + 1], 1e-15 * w->length);
+        CHECK_NEAR(easy_mu[p], mu[p], (1 + p) * within);
+        CHECK_NEAR(easy_g[2 * p], g[2 * p], (1 + p) * within * w->length);
+        CHECK_NEAR(easy_g[2 * p + 1], g[2 * p + 1], (1 + p) * within * w->length);
     }
 }
 

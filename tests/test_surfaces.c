@@ -73,7 +73,8 @@ THEOREM(normals_and_curvature_of_ellipsoid_and_torus_are_the_closed_forms)
     chance c = {11};
     int trial, k;
     for (trial = 0; trial < 300; ++trial) {
-        double shape[3], x[3], normal[3], want[3], frame[9], curvature = 0, known, u = between(&c, 0, PI), v = between(&c, -PI, PI);
+        double shape[3], x[3], normal[3], want[3], frame[9], curvature = 0, known;
+        double u = between(&c, 0, PI), v = between(&c, -PI, PI);
         chart m;
         surfmink_implicit surface = random_surface(&c, (int)one_of(&c, 3), shape);
         CASE("trial %d", trial);
@@ -111,7 +112,8 @@ THEOREM(on_an_ellipsoid_with_equal_axes_exp_and_log_are_those_of_the_sphere)
     int trial, k;
     for (trial = 0; trial < 600; ++trial) {
         double radius = trial % 3 == 0 ? 1 : trial % 3 == 1 ? 6371.0 : 1e-6, axis[3], x[3], y[3], z[3], vector[3], want[3];
-        double length = 0, direction[2], angle = between(&c, -PI, PI), reach = trial % 2 ? between(&c, 0.01, 3.1) : pow(10, between(&c, -12, 0));
+        double length = 0, direction[2], angle = between(&c, -PI, PI);
+        double reach = trial % 2 ? between(&c, 0.01, 3.1) : pow(10, between(&c, -12, 0));
         surfmink_implicit sphere = surfmink_ellipsoid(axis);
         axis[0] = axis[1] = axis[2] = radius;
         CASE("trial %d: radius %g, angle %g", trial, radius, reach);
@@ -382,6 +384,57 @@ THEOREM(the_unit_of_length_does_not_matter)
     }
 }
 
+/* An ellipsoid that is turned in space: all six second derivatives are at work. shape: axes, then the turn's matrix. */
+static double turned(const void *shape, const double x[3], double gradient[3], double hessian[6])
+{
+    static const int at[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+    const double *turn = (const double *)shape + 3;
+    double y[3], g[3], h[6], value;
+    int i, j, k, l;
+    for (i = 0; i < 3; ++i) y[i] = dot3(turn + 3 * i, x);
+    value = surfmink_ellipsoid_f(shape, y, g, h);
+    for (i = 0; i < 3; ++i) {
+        for (gradient[i] = 0, k = 0; k < 3; ++k) gradient[i] += turn[3 * k + i] * g[k];
+        for (j = i; j < 3; ++j)
+            for (hessian[at[i][j]] = 0, k = 0; k < 3; ++k)
+                for (l = 0; l < 3; ++l) hessian[at[i][j]] += turn[3 * k + i] * h[at[k][l]] * turn[3 * l + j];
+    }
+    return value;
+}
+
+THEOREM(a_surface_that_is_turned_in_space_has_the_same_geodesics)
+{
+    chance c = {27};
+    int trial, k;
+    for (trial = 0; trial < 60; ++trial) {
+        double shape[12], x[3], y[3], there[6], length[2] = {0, 1}, direction[2], vector[3], other[3], curvature[2] = {0, 1};
+        surfmink_implicit body = surfmink_ellipsoid(shape), tilted;
+        for (k = 0; k < 3; ++k) shape[k] = pow(3, between(&c, 0, 1));
+        for (k = 0; k < 9; ++k) shape[3 + k] = k % 4 == 0;
+        turn_somehow(&c, shape + 3, 3); /* the rows: images of the axes */
+        tilted.f = turned;
+        tilted.shape = shape;
+        random_point(&c, &body, x);
+        random_point(&c, &body, y);
+        for (k = 0; k < 3; ++k) y[k] = x[k] + 0.4 * (y[k] - x[k]);
+        CHECK_OK(surfmink_implicit_project(&body, y, y));
+        for (k = 0; k < 3; ++k) {
+            there[k] = shape[3 + k] * x[0] + shape[6 + k] * x[1] + shape[9 + k] * x[2];
+            there[3 + k] = shape[3 + k] * y[0] + shape[6 + k] * y[1] + shape[9 + k] * y[2];
+        }
+        CASE("trial %d: axes %g %g %g", trial, shape[0], shape[1], shape[2]);
+        CHECK_OK(surfmink_implicit_curvature(&body, x, &curvature[0]));
+        CHECK_OK(surfmink_implicit_curvature(&tilted, there, &curvature[1]));
+        CHECK_CLOSE(curvature[1], curvature[0], 1e-13);
+        CHECK_OK(surfmink_implicit_log(&body, x, y, &length[0], direction));
+        in_space(&body, x, direction, vector);
+        CHECK_OK(surfmink_implicit_log(&tilted, there, there + 3, &length[1], direction));
+        in_space(&tilted, there, direction, other);
+        CHECK_CLOSE(length[1], length[0], 1e-14);
+        for (k = 0; k < 3; ++k) CHECK_NEAR(dot3(shape + 3 + 3 * k, other), vector[k], 1e-14);
+    }
+}
+
 THEOREM(points_off_the_surface_count_as_the_points_below_them)
 {
     chance c = {19};
@@ -466,7 +519,8 @@ THEOREM(geodesic_polygons_on_ellipsoid_and_torus_agree_with_50_digit_references)
    differ by up to 1e-12, so that much of the last digit is theirs. */
 THEOREM(the_torus_triangles_of_the_paper_have_the_printed_lengths_angles_and_mu)
 {
-    double radius[2] = {2, 1.375}, scratch[6], length[3], turning[3], phase[3], g[14], mu[7], near_length = 0, near_direction[2] = {0, 0};
+    double radius[2] = {2, 1.375}, scratch[6], length[3], turning[3], phase[3], g[14], mu[7];
+    double near_length = 0, near_direction[2] = {0, 0};
     surfmink_surface unrolled = surfmink_torus_chart(radius);
     surfmink_implicit torus = surfmink_torus(radius);
     table t;
@@ -616,10 +670,13 @@ THEOREM(the_chart_of_the_torus_chooses_how_often_an_edge_goes_round)
             CHECK_NEAR(end[0], to[0], 1e-12);
             CHECK_NEAR(end[1], to[1], 1e-12);
         }
-    to[0] = from[0];
-    to[1] = from[1] + 2 * PI; /* so is the circle round the tube */
-    CHECK_OK(unrolled.log(unrolled.context, from, to, &length, direction));
-    CHECK_CLOSE(length, 2 * PI * 0.75, 1e-14);
+    for (round = 1; round <= 16; round *= 2) { /* so is the circle round the tube */
+        CASE("%d rounds of the tube", round);
+        to[0] = from[0];
+        to[1] = from[1] + round * 2 * PI;
+        CHECK_OK(unrolled.log(unrolled.context, from, to, &length, direction));
+        CHECK_CLOSE(length, round * 2 * PI * 0.75, 1e-14);
+    }
     to[0] = from[0] + 5.5; /* a long way round, and the short one back: both are geodesics, only one is the shortest */
     to[1] = from[1] + 0.5;
     CHECK_OK(unrolled.log(unrolled.context, from, to, &length, direction));
@@ -665,6 +722,23 @@ THEOREM(among_several_geodesics_log_finds_the_shortest_and_log_near_the_one_next
     }
 }
 
+THEOREM(a_point_on_the_other_side_of_a_thin_body_is_not_mistaken_for_one_that_is_near)
+{
+    double axis[3] = {1, 1, 0.2}, x[3], y[3], end[3], length, direction[2];
+    surfmink_implicit lens = surfmink_ellipsoid(axis);
+    int i;
+    for (i = 1; i <= 9; ++i) {
+        CASE("%d", i);
+        surfmink_ellipsoid_point(axis, 0.1 * i, 0.1, x);
+        surfmink_ellipsoid_point(axis, PI - 0.1 * i - 0.01, 0.13, y); /* below, round the rim */
+        length = 0;
+        CHECK_OK(surfmink_implicit_log(&lens, x, y, &length, direction));
+        CHECK(length > 2 * (1 - sin(0.1 * i + 0.01)));
+        CHECK_OK(surfmink_implicit_exp(&lens, x, direction, length, end));
+        CHECK_NEAR(distance3(end, y), 0, 1e-13);
+    }
+}
+
 /* --- failure has a name ------------------------------------------------------------------------------------------------ */
 
 static int log_status(const surfmink_implicit *surface, const double *x, const double *y)
@@ -688,9 +762,10 @@ static double wrinkled(const void *shape, const double x[3], double gradient[3],
 
 THEOREM(geodesics_that_are_not_unique_fail_by_name)
 {
-    double unit[3] = {1, 1, 1}, body[3] = {1.6, 1.3, 1.0}, earth[3] = {1, 1, 0.99664718933525254}, x[3], y[3], direction[2] = {1, 0};
-    double length = 2 * PI, near_pole[3] = {0, 0, -1}, radius[2] = {2, 0.5}, from[2] = {0, 0}, to[2] = {5, 0};
-    surfmink_implicit sphere = surfmink_ellipsoid(unit), ellipsoid = surfmink_ellipsoid(body), spheroid = surfmink_ellipsoid(earth);
+    double unit[3] = {1, 1, 1}, body[3] = {1.6, 1.3, 1.0}, earth[3] = {1, 1, 0.99664718933525254};
+    double x[3], y[3], direction[2] = {1, 0}, length = 2 * PI, near_pole[3] = {0, 0, -1}, radius[2] = {2, 0.5}, from[2] = {0, 0}, to[2] = {5, 0};
+    surfmink_implicit sphere = surfmink_ellipsoid(unit), ellipsoid = surfmink_ellipsoid(body);
+    surfmink_implicit spheroid = surfmink_ellipsoid(earth);
     surfmink_surface unrolled = surfmink_torus_chart(radius);
     chance c = {21};
     int trial, k;
@@ -724,6 +799,10 @@ THEOREM(geodesics_that_are_not_unique_fail_by_name)
         length = 2 * PI - 1;
         CHECK_STATUS(surfmink_implicit_log_near(&sphere, x, y, &length, direction, NULL), SURFMINK_ANTIPODAL_CORNERS);
         CHECK(length == 2 * PI - 1 && direction[0] == -frame[1]);
+        direction[0] = frame[1];
+        direction[1] = frame[4];
+        length = 2 * PI + 1; /* past two of them: the Jacobi field is positive again */
+        CHECK_STATUS(surfmink_implicit_log_near(&sphere, x, y, &length, direction, NULL), SURFMINK_ANTIPODAL_CORNERS);
     }
     /* So does the outer ring of a torus, after pi sqrt(r (R + r)) = 3.5: at an angle of 1.4. */
     CHECK_STATUS(unrolled.log(unrolled.context, from, to, &length, direction), SURFMINK_ANTIPODAL_CORNERS);
@@ -731,6 +810,57 @@ THEOREM(geodesics_that_are_not_unique_fail_by_name)
     CHECK_STATUS(unrolled.log(unrolled.context, from, to, &length, direction), SURFMINK_OK);
     to[0] = 1.42;
     CHECK_STATUS(unrolled.log(unrolled.context, from, to, &length, direction), SURFMINK_ANTIPODAL_CORNERS);
+}
+
+/* Where m -> 0 a turn hardly moves the end, so a small miss may hide a large error of the direction. */
+THEOREM(next_to_a_conjugate_point_log_still_hits)
+{
+    double axis[3] = {1.6, 1.3, 1.0}, x[3], y[3], end[3], direction[2], length, low = 2, high = 6, way;
+    static const double from[2] = {0.6, 0.8};
+    surfmink_implicit body = surfmink_ellipsoid(axis);
+    int i;
+    surfmink_ellipsoid_point(axis, 1.1, 0.4, x);
+    for (i = 0; i < 40; ++i) { /* where the geodesic from x has its first conjugate point */
+        length = (low + high) / 2;
+        direction[0] = from[0], direction[1] = from[1];
+        CHECK_OK(surfmink_implicit_exp(&body, x, direction, length, y));
+        if (surfmink_implicit_log_near(&body, x, y, &length, direction, NULL) == SURFMINK_OK) low = (low + high) / 2;
+        else high = (low + high) / 2;
+    }
+    CHECK(low > 3 && high < 5);
+    for (way = 1e-4; way > 2e-6; way /= 2) {
+        CASE("%g before it", way);
+        CHECK_OK(surfmink_implicit_exp(&body, x, from, low - way, y));
+        length = low - way;
+        direction[0] = from[0] - 0.1 * way, direction[1] = from[1];
+        CHECK_OK(surfmink_implicit_log_near(&body, x, y, &length, direction, NULL));
+        CHECK_NEAR(length, low - way, 1e-12);
+        CHECK_NEAR(direction[0], from[0], 1e-14 / way);
+        CHECK_OK(surfmink_implicit_exp(&body, x, direction, length, end));
+        CHECK_NEAR(distance3(end, y), 0, 1e-14);
+    }
+}
+
+static double slab(const void *shape, const double x[3], double gradient[3], double hessian[6])
+{
+    int k;
+    (void)shape;
+    for (k = 0; k < 6; ++k) hessian[k] = 0;
+    hessian[5] = 2;
+    gradient[0] = gradient[1] = 0;
+    gradient[2] = 2 * x[2];
+    return x[2] * x[2] - 1;
+}
+
+THEOREM(no_geodesic_leads_from_one_sheet_to_another)
+{
+    static const double x[3] = {0, 0, 1}, beside[3] = {3, 0, 1}, below[3] = {3, 0, -1}, under[3] = {0, 0, -1};
+    surfmink_implicit planes;
+    planes.f = slab;
+    planes.shape = NULL;
+    CHECK_OK(log_status(&planes, x, beside));
+    CHECK_STATUS(log_status(&planes, x, below), SURFMINK_CALLBACK_FAILED);
+    CHECK_STATUS(log_status(&planes, x, under), SURFMINK_CALLBACK_FAILED);
 }
 
 THEOREM(other_failures_have_names_too_and_change_nothing)
@@ -893,7 +1023,8 @@ THEOREM(mu_and_area_do_not_depend_on_where_in_the_hyperbolic_plane_a_polygon_lie
     chance c = {26};
     int trial, p;
     for (trial = 0; trial < 50; ++trial) {
-        double here[10], there[10], scratch[10], mu[2][7], area[2] = {0, 0}, a[2], length = 0, direction[2] = {1, 0}, spin = between(&c, -PI, PI);
+        double here[10], there[10], scratch[10], mu[2][7], area[2] = {0, 0}, a[2], length = 0, direction[2] = {1, 0};
+        double spin = between(&c, -PI, PI);
         size_t i;
         gentle_star(&c, 5, here);
         for (i = 0; i < 10; ++i) here[i] *= 0.6;
@@ -949,6 +1080,7 @@ int main(void)
     PROVE(log_from_the_other_end_is_the_same_geodesic);
     PROVE(small_shapes_keep_all_their_digits);
     PROVE(the_unit_of_length_does_not_matter);
+    PROVE(a_surface_that_is_turned_in_space_has_the_same_geodesics);
     PROVE(points_off_the_surface_count_as_the_points_below_them);
     PROVE(geodesic_polygons_on_ellipsoid_and_torus_agree_with_50_digit_references);
     PROVE(the_torus_triangles_of_the_paper_have_the_printed_lengths_angles_and_mu);
@@ -956,7 +1088,10 @@ int main(void)
     PROVE(on_a_round_ellipsoid_a_regular_polygon_has_mu_one_exactly_at_multiples_of_its_corner_count);
     PROVE(the_chart_of_the_torus_chooses_how_often_an_edge_goes_round);
     PROVE(among_several_geodesics_log_finds_the_shortest_and_log_near_the_one_next_to_the_guess);
+    PROVE(a_point_on_the_other_side_of_a_thin_body_is_not_mistaken_for_one_that_is_near);
     PROVE(geodesics_that_are_not_unique_fail_by_name);
+    PROVE(next_to_a_conjugate_point_log_still_hits);
+    PROVE(no_geodesic_leads_from_one_sheet_to_another);
     PROVE(other_failures_have_names_too_and_change_nothing);
     PROVE(in_the_hyperbolic_plane_distances_are_those_of_the_half_plane);
     PROVE(hyperbolic_triangles_obey_the_law_of_cosines_and_turn_by_two_pi_plus_their_area);

@@ -151,7 +151,7 @@ static void read_mesh(mesh *m, lines *in, const options *o)
 
 static int next_of_mesh(mesh *m, polygon *p)
 {
-    size_t i, k, face = m->next;
+    size_t i, face = m->next;
     char number[32];
     if (face == m->faces) return 0;
     ++m->next;
@@ -159,8 +159,6 @@ static int next_of_mesh(mesh *m, polygon *p)
     begin_polygon(p, m->surface, number, m->line[face]);
     for (i = m->begin[face]; i < m->begin[face + 1]; ++i) {
         const double *x = m->vertex + 3 * m->corner[i], *normal = m->normal + 3 * m->corner[i];
-        for (k = 0; k < stride_of(m->surface); ++k)
-            if (!isfinite(x[k])) find_fault(p, SURFMINK_NOT_FINITE, m->line[face]);
         add_corner(p, x, normal, m->line[face]);
     }
     return 1;

@@ -57,7 +57,7 @@ static int place_corner(const polygon *p, size_t i, double corner[3], double nor
     for (k = 0; k < 3; ++k) {
         corner[k] = p->surface == PLANE ? (k < 2 ? p->corner[2 * i + k] : 0) : p->corner[3 * i + k];
         normal[k] = p->surface == PLANE ? (k < 2 ? 0 : 1) : p->surface == SPHERE ? corner[k] : p->normal[3 * i + k];
-        if (!isfinite(corner[k])) return 0;
+        if (!(fabs(corner[k]) < 1e100)) return 0; /* there, sizes would overflow */
     }
     if (!make_unit(normal)) return 0;
     for (k = 0; k < 3 && p->surface == SPHERE; ++k) corner[k] = normal[k];

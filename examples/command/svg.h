@@ -69,7 +69,7 @@ static void choose_top(drawing *d, const picture *g)
 /* Two decimals, without what can be left out, and never -0. */
 static void put_pixels(FILE *file, double pixels)
 {
-    long hundredths = lround(100 * pixels);
+    long hundredths = lround(100 * fmin(1e6, fmax(-1e6, pixels))); /* farther out nothing can be seen */
     long whole = labs(hundredths) / 100, part = labs(hundredths) % 100;
     if (hundredths < 0) fputc('-', file);
     fprintf(file, "%ld", whole);
@@ -121,6 +121,14 @@ static void include_point(drawing *d, const double *view)
     }
 }
 
+/* The square from -1 to 1: a whole sphere, and what is shown where there is nothing to show. */
+static double show_unit_square(drawing *d)
+{
+    size_t k;
+    for (k = 0; k < 2; ++k) d->least[k] = -1, d->most[k] = 1;
+    return 2;
+}
+
 /* A sphere is drawn whole unless the outlines cover so little of it that they could not be told apart. */
 static void find_extent(drawing *d, const picture *g)
 {
@@ -132,9 +140,9 @@ static void find_extent(drawing *d, const picture *g)
         if (g->surface != SPHERE || is_visible(view)) include_point(d, view);
     }
     extent = fmax(d->most[0] - d->least[0], d->most[1] - d->least[1]);
-    d->whole_sphere = g->surface == SPHERE && !(extent < 0.8 && extent > 0);
-    for (k = 0; k < 2; ++k) {
-        if (d->whole_sphere || !(extent > 0)) d->least[k] = -1, d->most[k] = 1;
+    d->whole_sphere = g->surface == SPHERE && !(extent > 0 && extent < 0.8);
+    if (d->whole_sphere || !(extent > 0)) extent = show_unit_square(d);
+    for (k = 0; k < 2; ++k) { /* room for the lines at the rim */
         d->least[k] -= d->whole_sphere ? 0.005 : 0.02 * extent;
         d->most[k] += d->whole_sphere ? 0.005 : 0.02 * extent;
     }

@@ -35,7 +35,6 @@ static const layout layout_embedded = {EMBEDDED, 0, 6, {COLUMN_X, COLUMN_Y, COLU
 
 typedef struct table {
     lines *in;
-    double radius;
     char separator;
     size_t names;          /* fields of the line that names the columns */
     size_t place[COLUMNS]; /* field of each known column; NOWHERE if there is none */
@@ -101,7 +100,6 @@ static void read_header(table *t, lines *in, const options *o)
     int i;
     memset(t, 0, sizeof *t);
     t->in = in;
-    t->radius = o->radius > 0 ? o->radius : 1;
     do
         if (!read_line(in)) die("%s: no line names the columns", in->name);
     while (is_blank_line(in->text) || is_comment(in->text));
@@ -149,7 +147,7 @@ static void add_row(const table *t, polygon *p)
         value[i] = number_at(t, t->layout->column[i]);
         if (!isfinite(value[i])) status = SURFMINK_NOT_FINITE;
     }
-    if (t->layout->lonlat && status == SURFMINK_OK) status = surfmink_from_lonlat(value[0], value[1], t->radius, value);
+    if (t->layout->lonlat && status == SURFMINK_OK) status = surfmink_from_lonlat(value[0], value[1], 1, value);
     find_fault(p, status, t->in->number);
     add_corner(p, value, value + 3, t->in->number);
 }

@@ -30,7 +30,8 @@ static inline int experiment_begin(experiment *e, int argc, char **argv, const c
 {
     char path[512];
     if (argc < 2 || argc > 3 || strlen(argv[1]) > 400) {
-        fprintf(stderr, "usage: %s DIRECTORY [DATA]\nwrites DIRECTORY/%s.svg and .tsv; DATA: default examples/paper/data\n",
+        fprintf(stderr,
+                "usage: %s DIRECTORY [DATA]\nwrites DIRECTORY/%s.svg and .tsv; DATA: default examples/paper/data\n",
                 argv[0], name);
         return 1;
     }
@@ -54,8 +55,10 @@ static inline void experiment_need(int well, const char *what)
 
 static inline int experiment__note(experiment *e, int well)
 {
-    if (well) ++e->agree;
-    else ++e->differ;
+    if (well)
+        ++e->agree;
+    else
+        ++e->differ;
     return well;
 }
 
@@ -63,17 +66,18 @@ static inline int experiment__note(experiment *e, int well)
 static inline int experiment_near(experiment *e, const char *what, double computed, double printed, double within)
 {
     if (fabs(computed - printed) <= within) return experiment__note(e, 1);
-    printf("DIFFERS  %s: computed %.15g, printed %.15g, allowed %.1e\n", what, computed, printed, within);
+    printf("\nDIFFERS  %s: computed %.15g, printed %.15g, allowed %.1e\n", what, computed, printed, within);
     return experiment__note(e, 0);
 }
 
 /* Does a computed number, rounded like the printed one, read the same? exponent: as 1.2e-03, else as 0.00. */
-static inline int experiment_printed(experiment *e, const char *what, const char *printed, int exponent, double computed)
+static inline int experiment_printed(experiment *e, const char *what, const char *printed, int exponent,
+                                     double computed)
 {
     char text[32];
     snprintf(text, sizeof text, exponent ? "%.1e" : "%.2f", computed);
     if (strcmp(text, printed) == 0) return experiment__note(e, 1);
-    printf("DIFFERS  %s: computed %s (%.6g), printed %s\n", what, text, computed, printed);
+    printf("\nDIFFERS  %s: computed %s (%.6g), printed %s\n", what, text, computed, printed);
     return experiment__note(e, 0);
 }
 
@@ -88,12 +92,12 @@ static inline int experiment_end(experiment *e)
 {
     int failed = ferror(e->table);
     failed = fclose(e->table) != 0 || failed;
-    printf("%s: %d of %d values as printed%s\n\n", e->name, e->agree, e->agree + e->differ,
+    printf("%s: %d of %d values and claims hold%s\n\n", e->name, e->agree, e->agree + e->differ,
            failed ? ", but the table could not be written" : "");
     return failed || e->differ > 0;
 }
 
-/* --- tables of printed numbers -------------------------------------------------------------------------------------- */
+/* --- tables of printed numbers ------------------------------------------------------------------------------------ */
 
 /* A small table: tab separated, # for notes, the first other line names the columns. */
 typedef struct printed {

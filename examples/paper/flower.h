@@ -4,10 +4,10 @@
      flower_exact exact;
      flower_integrate(&curve, &exact);                                      // exact.length, exact.kappa
      flower_components(&exact, 0, 10, g);                                   // g_p of the smooth curve, read at t = 0
-     flower_polygon(&exact, q, corner, normal);                             // q corners, equally far apart along the curve
+     flower_polygon(&exact, q, corner, normal);                             // q corners, equally far apart along it
 
-   The integrands are smooth and periodic in t, so the trapezoidal rule and Fourier series converge faster than any power of
-   the number of samples: 2048 give 14 digits for every curve of the paper.                                            */
+   The integrands are smooth and periodic in t, so the trapezoidal rule and Fourier series converge faster than any
+   power of the number of samples: 2048 give 14 digits for every curve of the paper. */
 #ifndef FLOWER_H
 #define FLOWER_H
 
@@ -133,8 +133,8 @@ static inline double flower_phase(const flower_exact *exact, double t)
     return 2 * PI / exact->kappa * flower__integral(&exact->turning, t);
 }
 
-/* The parameter of the point at a given arc length from t = 0, at most one turn. Newton's method, as the derivative of the
-   arc length is the speed; where petals end the speed varies so much that it needs a bracket to fall back on. */
+/* The parameter of the point at a given arc length from t = 0, at most one turn. Newton's method, as the derivative of
+   the arc length is the speed; where petals end the speed varies so much that it needs a bracket to fall back on. */
 static inline double flower_time(const flower_exact *exact, double arc)
 {
     double low = 0, high = 2 * PI, t = arc / exact->speed.mean, off, x[3], n[3], d[3], dd[3];
@@ -142,8 +142,10 @@ static inline double flower_time(const flower_exact *exact, double arc)
     for (round = 0; round < 60; ++round) {
         off = flower__integral(&exact->speed, t) - arc;
         if (fabs(off) < 2e-15 * exact->length) break;
-        if (off > 0) high = t;
-        else low = t;
+        if (off > 0)
+            high = t;
+        else
+            low = t;
         flower_point(&exact->curve, t, x, n, d, dd);
         t -= off / sqrt(flower__dot(d, d));
         if (!(t > low && t < high)) t = (low + high) / 2;

@@ -4,7 +4,7 @@
 
    The zero level set of a flower function with four petals on triangulated unit spheres (paper 5.2, figures
    "triangulated-sphere" and "sphere-convergence"): corners where it cuts the edges of triangles, normals averaged over
-   triangles. The paper sees an erratic first order; turned at the right corner, the errors fall smoothly with order 2. */
+   triangles. The paper sees an erratic first order; turned at the right corner, errors fall smoothly with order 2. */
 
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
@@ -12,12 +12,12 @@
 #include "experiment.h"
 #include "plot.h"
 
-#define RANKS 8
+#define RANKS  8
 #define LEVELS 9
 
 /* Of the smooth curve, in 50-digit arithmetic; p = 2, 4, 6, 8. */
-static const double exact[RANKS + 1] = {1, 0, 0.041307578749043, 0, 0.169084042925900, 0, 0.0742854634691783,
-                                        0, 0.301915775390885};
+static const double exact[RANKS + 1] = {
+    1, 0, 0.041307578749043, 0, 0.169084042925900, 0, 0.0742854634691783, 0, 0.301915775390885};
 
 typedef struct result {
     double h, mu[RANKS + 1], late[RANKS + 1]; /* late: turned one corner late, as the paper's tables are */
@@ -55,8 +55,7 @@ static void measure(int base, int level, result *r, mesh *m, mesh_loops *loops)
     r->h = mesh_longest_edge(m);
     r->corners = n;
     status = surfmink_measure_embedded(loops->corner, loops->normal, n, RANKS, r->mu, NULL, NULL, NULL);
-    if (status == SURFMINK_OK)
-        status = surfmink_edges_embedded(loops->corner, loops->normal, n, length, turning, NULL);
+    if (status == SURFMINK_OK) status = surfmink_edges_embedded(loops->corner, loops->normal, n, length, turning, NULL);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
     first = turning[n - 1];
     memmove(turning + 1, turning, (n - 1) * sizeof *turning);
@@ -96,7 +95,8 @@ static void compare(experiment *e, const char *name, const result *r, int first,
         printf("%-5s %5d %9.6f %8lu", name, level, r[level].h, (unsigned long)r[level].corners);
         fprintf(e->table, "%s\t%d\t%.9f\t%lu", name, level, r[level].h, (unsigned long)r[level].corners);
         for (row = 0; row < t.rows; ++row)
-            if (strcmp(printed_text(&t, row, "mesh"), name) == 0 && atoi(printed_text(&t, row, "level")) == level) break;
+            if (strcmp(printed_text(&t, row, "mesh"), name) == 0 && atoi(printed_text(&t, row, "level")) == level)
+                break;
         for (p = 2; p <= RANKS; p += 2) {
             double error = fabs(r[level].mu[p] - exact[p]), late = fabs(r[level].late[p] - exact[p]), want;
             fprintf(e->table, "\t%.12f\t%.6e\t%.6e", r[level].mu[p], error, late);
@@ -104,10 +104,13 @@ static void compare(experiment *e, const char *name, const result *r, int first,
                 printf("  %.10f / %-10s  %.3e", r[level].mu[p], "-", error);
                 continue;
             }
-            printf("  %.10f / %s  %.3e", r[level].mu[p], printed_text(&t, row, p == 2   ? "mu2"
-                                                                               : p == 4 ? "mu4"
-                                                                               : p == 6 ? "mu6"
-                                                                                        : "mu8"), error);
+            printf("  %.10f / %s  %.3e", r[level].mu[p],
+                   printed_text(&t, row,
+                                p == 2   ? "mu2"
+                                : p == 4 ? "mu4"
+                                : p == 6 ? "mu6"
+                                         : "mu8"),
+                   error);
             snprintf(what, sizeof what, "%s level %d, mu_%d", name, level, p);
             experiment_near(e, what, r[level].mu[p], printed_rank(&t, row, "mu", p), 6e-11);
             snprintf(what, sizeof what, "%s level %d, mu_%d one corner late", name, level, p);
@@ -119,7 +122,7 @@ static void compare(experiment *e, const char *name, const result *r, int first,
     }
 }
 
-/* --- figures --------------------------------------------------------------------------------------------------------- */
+/* --- figures ------------------------------------------------------------------------------------------------------ */
 
 /* The near half of a mesh in thin lines, and the outline on it. */
 static void draw_mesh(plot *p, const mesh *m, const mesh_loops *loops, double left, double top, const char *title)

@@ -11,9 +11,9 @@
 #include "experiment.h"
 #include "plot.h"
 
-#define RANKS 6
-#define PIECES 30   /* that an edge is coloured with */
-#define PER_EDGE 4 /* places along an edge where eigenvectors are drawn */
+#define RANKS    6
+#define PIECES   30 /* that an edge is coloured with */
+#define PER_EDGE 4  /* places along an edge where eigenvectors are drawn */
 
 static const double unit_sphere[3] = {1, 1, 1};
 static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};

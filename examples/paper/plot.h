@@ -1,7 +1,7 @@
 /* plot.h - figures as SVG: axes, bars, legends, and curves on surfaces seen from far away - MIT or public domain
 
      plot p;
-     plot_axes axes = {60, 20, 300, 200, {1e-3, 1}, {1e-6, 1}, {1, 1}};      // left, top, width, height; x, y; logarithmic
+     plot_axes axes = {60, 20, 300, 200, {1e-3, 1}, {1e-6, 1}, {1, 1}};  // left, top, width, height; x, y; logarithmic
      if (plot_begin(&p, "errors.svg", 400, 280)) return 1;
      plot_frame(&p, &axes, 0, 0, "grid size $h$", "error of $\\mu_p$");
      plot_curve(&p, &axes, h, error, n, plot_pens[1], plot_markers[1]);
@@ -37,7 +37,7 @@ typedef struct plot_pen {
 enum plot_marker { PLOT_NONE, PLOT_DISC, PLOT_SQUARE, PLOT_TRIANGLE, PLOT_DIAMOND, PLOT_RING, PLOT_BOX, PLOT_CROSS };
 
 /* Line k of a plot: each differs from the others by colour, by dash and by marker. */
-static const plot_pen plot_pens[8] = {{"#000000", 1.4, ""},    {"#0072b2", 1.4, ""},     {"#d55e00", 1.4, "7 2"},
+static const plot_pen plot_pens[8] = {{"#000000", 1.4, ""},    {"#0072b2", 1.4, ""},        {"#d55e00", 1.4, "7 2"},
                                       {"#009e73", 1.4, "2 2"}, {"#cc79a7", 1.4, "6 2 2 2"}, {"#e69f00", 1.4, "4 2"},
                                       {"#56b4e9", 1.4, "1 2"}, {"#666666", 1.4, "9 3"}};
 static const enum plot_marker plot_markers[8] = {PLOT_DISC, PLOT_SQUARE, PLOT_TRIANGLE, PLOT_DIAMOND,
@@ -56,7 +56,8 @@ static inline int plot_begin(plot *p, const char *path, double width, double hei
         return 1;
     }
     fprintf(p->file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" "
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"%g\" "
+            "height=\"%g\" viewBox=\"0 0 %g %g\" "
             "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" stroke-linejoin=\"round\" "
             "stroke-linecap=\"round\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
             width, height, width, height);
@@ -72,7 +73,7 @@ static inline int plot_end(plot *p)
     return fclose(p->file) != 0 || failed;
 }
 
-/* --- colours -------------------------------------------------------------------------------------------------------- */
+/* --- colours ------------------------------------------------------------------------------------------------------ */
 
 /* From dark blue over green to light yellow for t = 0 .. 1, into text of 8 characters. Lightness rises evenly. */
 static inline const char *plot_ramp(double t, char text[8])
@@ -86,16 +87,16 @@ static inline const char *plot_ramp(double t, char text[8])
     return text;
 }
 
-/* --- text ----------------------------------------------------------------------------------------------------------- */
+/* --- text --------------------------------------------------------------------------------------------------------- */
 
 /* The UTF-8 of a name after a backslash, and its length in the markup. */
 static inline const char *plot__symbol(const char *at, size_t *used)
 {
     static const char *const table[][2] = {
-        {"alpha", "\xce\xb1"}, {"gamma", "\xce\xb3"}, {"theta", "\xce\xb8"}, {"kappa", "\xce\xba"},
-        {"mu", "\xce\xbc"},    {"nu", "\xce\xbd"},    {"pi", "\xcf\x80"},    {"phi", "\xcf\x86"},
-        {"tau", "\xcf\x84"},   {"omega", "\xcf\x89"}, {"minus", "\xe2\x88\x92"}, {"to", "\xe2\x86\x92"},
-        {"le", "\xe2\x89\xa4"}, {"dot", "\xc2\xb7"},  {"deg", "\xc2\xb0"},   {"dash", "\xe2\x80\x93"}};
+        {"alpha", "\xce\xb1"},  {"gamma", "\xce\xb3"}, {"theta", "\xce\xb8"},     {"kappa", "\xce\xba"},
+        {"mu", "\xce\xbc"},     {"nu", "\xce\xbd"},    {"pi", "\xcf\x80"},        {"phi", "\xcf\x86"},
+        {"tau", "\xcf\x84"},    {"omega", "\xcf\x89"}, {"minus", "\xe2\x88\x92"}, {"to", "\xe2\x86\x92"},
+        {"le", "\xe2\x89\xa4"}, {"dot", "\xc2\xb7"},   {"deg", "\xc2\xb0"},       {"dash", "\xe2\x80\x93"}};
     size_t k;
     for (k = 0; k < sizeof table / sizeof *table; ++k) {
         *used = strlen(table[k][0]);
@@ -132,11 +133,16 @@ static inline void plot__markup(plot *p, const char *text, double size)
             continue;
         }
         letter = (*text >= 'a' && *text <= 'z') || (*text >= 'A' && *text <= 'Z') || *text == '\\';
-        if (*text == '\\') glyph = plot__symbol(text + 1, &used), ++used;
-        else if (*text == '&') glyph = "&amp;";
-        else if (*text == '<') glyph = "&lt;";
-        else if (*text == '>') glyph = "&gt;";
-        else one[0] = *text;
+        if (*text == '\\')
+            glyph = plot__symbol(text + 1, &used), ++used;
+        else if (*text == '&')
+            glyph = "&amp;";
+        else if (*text == '<')
+            glyph = "&lt;";
+        else if (*text == '>')
+            glyph = "&gt;";
+        else
+            one[0] = *text;
         shift = level < 0 ? 0.22 * size : level > 0 ? -0.36 * size : 0;
         fprintf(p->file, "<tspan");
         if (shift < last || shift > last) fprintf(p->file, " dy=\"%.2f\"", shift - last);
@@ -177,7 +183,7 @@ static inline void plot_letter(plot *p, double x, double y, const char *text)
     plot_text_as(p, x, y, 13, "start", "#000000", 1, 0, text);
 }
 
-/* --- lines and areas ------------------------------------------------------------------------------------------------ */
+/* --- lines and areas ---------------------------------------------------------------------------------------------- */
 
 static inline void plot__pen(plot *p, plot_pen pen)
 {
@@ -285,7 +291,7 @@ static inline void plot_repeat(plot *p, const char *name, double x, double y)
     fprintf(p->file, "<use xlink:href=\"#%s\" x=\"%g\" y=\"%g\"/>\n", name, x, y);
 }
 
-/* --- axes ----------------------------------------------------------------------------------------------------------- */
+/* --- axes --------------------------------------------------------------------------------------------------------- */
 
 /* low > high turns an axis round. */
 typedef struct plot_axes {
@@ -338,10 +344,14 @@ static inline void plot_ticks(plot *p, const plot_axes *axes, int dim, double st
     char label[64];
     for (k = first; k <= last; ++k) {
         value = logarithmic ? pow(10, k) : k * step;
-        if (logarithmic && (k == 0 || k == 1)) snprintf(label, sizeof label, k ? "10" : "1");
-        else if (logarithmic) snprintf(label, sizeof label, "10^{%s%d}", k < 0 ? "\\minus" : "", k < 0 ? -k : k);
-        else if (k == 0) snprintf(label, sizeof label, "0");
-        else snprintf(label, sizeof label, "%s%g%s", k < 0 ? "\\minus" : "", fabs(value), unit);
+        if (logarithmic && (k == 0 || k == 1))
+            snprintf(label, sizeof label, k ? "10" : "1");
+        else if (logarithmic)
+            snprintf(label, sizeof label, "10^{%s%d}", k < 0 ? "\\minus" : "", k < 0 ? -k : k);
+        else if (k == 0)
+            snprintf(label, sizeof label, "0");
+        else
+            snprintf(label, sizeof label, "%s%g%s", k < 0 ? "\\minus" : "", fabs(value), unit);
         plot__tick(p, axes, dim, value, label);
     }
 }
@@ -362,8 +372,8 @@ static inline void plot_curve(plot *p, const plot_axes *axes, const double *x, c
                               enum plot_marker marker)
 {
     size_t i;
-    fprintf(p->file, "<clipPath id=\"c%d\"><rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\"/></clipPath>\n", ++p->names,
-            axes->left - 4, axes->top - 4, axes->width + 8, axes->height + 8);
+    fprintf(p->file, "<clipPath id=\"c%d\"><rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\"/></clipPath>\n",
+            ++p->names, axes->left - 4, axes->top - 4, axes->width + 8, axes->height + 8);
     fprintf(p->file, "<g clip-path=\"url(#c%d)\">\n<path d=\"M", p->names);
     for (i = 0; i < n; ++i) fprintf(p->file, "%s%.1f %.1f", i ? " " : "", plot_x(axes, x[i]), plot_y(axes, y[i]));
     fprintf(p->file, "\" fill=\"none\"");
@@ -414,7 +424,7 @@ static inline void plot_scale(plot *p, double x, double y, double width, double 
     plot_text(p, x + width / 2, y - 7, 11, "middle", title);
 }
 
-/* --- surfaces, seen from far away ----------------------------------------------------------------------------------- */
+/* --- surfaces, seen from far away --------------------------------------------------------------------------------- */
 
 typedef struct plot_view {
     double across[3], up[3], toward[3]; /* to the right, upwards, to the eye */
@@ -557,8 +567,8 @@ static inline double plot_in_torus(const void *shape, const double x[3])
 }
 
 /* A shaded torus of small patches. What is hidden is left out; patches half hidden come first, the far ones before the
-   near ones; the rest cannot overlap, so all of one shade share an element, which keeps files small. Each has a hairline
-   of its own colour, or gaps would show between them. */
+   near ones; the rest cannot overlap, so all of one shade share an element, which keeps files small. Each has a
+   hairline of its own colour, or gaps would show between them. */
 static inline void plot_torus(plot *p, const plot_view *view, const double radius[2])
 {
     enum { AROUND = 45, TUBE = 24, SHADES = 16 };
@@ -585,7 +595,8 @@ static inline void plot_torus(plot *p, const plot_view *view, const double radiu
                     seen += !plot_hidden(view, plot_in_torus, radius, 2.2 * (radius[0] + radius[1]), x);
                 }
                 if (seen == 0 || (seen == 5) != whole) continue;
-                light = 0.85 * plot__dot(n, view->toward) - 0.25 * plot__dot(n, view->across) + 0.3 * plot__dot(n, view->up);
+                light = 0.85 * plot__dot(n, view->toward) - 0.25 * plot__dot(n, view->across) +
+                        0.3 * plot__dot(n, view->up);
                 patch[count].shade = (int)((SHADES - 1) * fmin(fmax(light, 0), 1));
                 patch[count].depth = whole ? patch[count].shade : plot__dot(x, view->toward);
                 ++count;
@@ -600,8 +611,8 @@ static inline void plot_torus(plot *p, const plot_view *view, const double radiu
             unsigned grey = 190u + 4u * (unsigned)patch[i].shade;
             if (patch[i].shade != last) {
                 if (last >= 0) fprintf(p->file, "\"/>\n");
-                fprintf(p->file, "<path fill=\"#%02x%02x%02x\" stroke=\"#%02x%02x%02x\" stroke-width=\"0.5\" d=\"", grey,
-                        grey, grey, grey, grey, grey);
+                fprintf(p->file, "<path fill=\"#%02x%02x%02x\" stroke=\"#%02x%02x%02x\" stroke-width=\"0.5\" d=\"",
+                        grey, grey, grey, grey, grey, grey);
                 last = patch[i].shade;
             }
             fprintf(p->file, "M%.1f %.1fl%.1f %.1f %.1f %.1f %.1f %.1fz", c[0], c[1], c[2] - c[0], c[3] - c[1],
@@ -620,7 +631,8 @@ static inline void plot_torus_outline(plot *p, const plot_view *view, const doub
     for (branch = 0; branch < 2; ++branch) {
         for (k = 0; k <= 360; ++k) {
             phi = k * PLOT_PI / 180;
-            theta = atan2(-(view->toward[0] * cos(phi) + view->toward[1] * sin(phi)), view->toward[2]) + branch * PLOT_PI;
+            theta =
+                atan2(-(view->toward[0] * cos(phi) + view->toward[1] * sin(phi)), view->toward[2]) + branch * PLOT_PI;
             x[3 * k] = (radius[0] + radius[1] * cos(theta)) * cos(phi);
             x[3 * k + 1] = (radius[0] + radius[1] * cos(theta)) * sin(phi);
             x[3 * k + 2] = radius[1] * sin(theta);

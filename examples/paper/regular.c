@@ -10,7 +10,7 @@
 #include "experiment.h"
 #include "plot.h"
 
-#define RANKS 6
+#define RANKS  6
 #define PIECES 24 /* points that an edge is drawn with */
 
 static void draw(plot *p, const surfmink_surface *sphere, const double *corner, int n, const double *mu, double left)

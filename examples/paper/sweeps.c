@@ -2,11 +2,11 @@
 
      cc sweeps.c -o sweeps -lm && ./sweeps DIRECTORY DATA          (from the root: make paper)
 
-   The four sweeps of paper 5.3 (figure "sketch-Ellipsoid") on the ellipsoid E(1.6, 1.3, 1.0): amplitude a, mean radius r0,
-   number of petals omega, position y0; p = 2 ... 10. The reference holds the values of the smooth curves. What a user has
-   is a polygon: with q corners it comes close to them with order 2, and two polygons make a third value for free that
-   comes much closer: (4 mu_q - mu_(q/2)) / 3, Richardson's extrapolation. Order 2 begins where the corners lie closer
-   than the radius of the tightest bend, which between long petals is a hundredth of the curve's size. */
+   The four sweeps of paper 5.3 (figure "sketch-Ellipsoid") on the ellipsoid E(1.6, 1.3, 1.0): amplitude a, mean radius
+   r0, number of petals omega, position y0; p = 2 ... 10. The reference holds the values of the smooth curves. What a
+   user has is a polygon: with q corners it comes close to them with order 2, and two polygons make a third value for
+   free that comes much closer: (4 mu_q - mu_(q/2)) / 3, Richardson's extrapolation. Order 2 begins where the corners
+   lie closer than the radius of the tightest bend, which between long petals is a hundredth of its size. */
 
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
@@ -14,8 +14,8 @@
 #include "flower.h"
 #include "plot.h"
 
-#define RANKS 12
-#define LEVELS 6 /* q = 256 ... 8192 */
+#define RANKS        12
+#define LEVELS       6 /* q = 256 ... 8192 */
 #define MOST_CORNERS 8192
 
 /* mu of straight chords between q points at equal distances along the curve. */
@@ -36,7 +36,7 @@ static double largest_difference(const double *mu, const double *other)
     return largest;
 }
 
-/* --- figure ---------------------------------------------------------------------------------------------------------- */
+/* --- figure ------------------------------------------------------------------------------------------------------- */
 
 #define CELL 112.0 /* width of one picture with its bars */
 
@@ -59,8 +59,8 @@ static void draw_cell(plot *p, const flower *curve, const double *mu, double lef
     plot_text(p, view.x, top + 8, 10, "middle", title);
     plot_ticks(p, &axes, 1, 0.2, "");
     plot_bars(p, &axes, mu, 2, 10, 8);
-    plot_text(p, axes.left + axes.width + 4, top + 159, 9, "middle", "$p$");
-    if (first) plot_text_as(p, left - 2, top + 124, 11, "middle", "#000000", 0, 1, "$\\mu_p$");
+    plot_text(p, axes.left + axes.width + 7, top + 159, 9, "middle", "$p$");
+    if (first) plot_text_as(p, left - 9, top + 124, 11, "middle", "#000000", 0, 1, "$\\mu_p$");
 }
 
 int main(int argc, char **argv)
@@ -70,7 +70,7 @@ int main(int argc, char **argv)
                                          "(b)  mean radius $r_0$;  $a$ = 0.1, $\\omega$ = 5, $y_0$ = \\pi/4",
                                          "(c)  petals $\\omega$;  $r_0$ = 0.4, $a$ = 0.1, $y_0$ = \\pi/4",
                                          "(d)  position $y_0$;  $r_0$ = 0.4, $a$ = 0.1, $\\omega$ = 5"};
-    static const double left[4] = {14, 14, 14, 14 + 4.5 * CELL}, top[4] = {0, 192, 384, 384};
+    static const double left[4] = {20, 20, 20, 20 + 4.5 * CELL}, top[4] = {0, 192, 384, 384};
     static printed t;
     static flower_exact exact;
     flower curve = {{1.6, 1.3, 1.0}, 0, 0, 0, PI / 2, 0};
@@ -81,7 +81,7 @@ int main(int argc, char **argv)
     experiment e;
     plot p;
     int row, k, level, sweep, column = 0, last = -1;
-    if (experiment_begin(&e, argc, argv, "sweeps") || plot_begin(&p, e.figure, 8 * CELL + 32, 580)) return 1;
+    if (experiment_begin(&e, argc, argv, "sweeps") || plot_begin(&p, e.figure, 8 * CELL + 44, 580)) return 1;
     plot_keep(&p, "body");
     plot_ellipsoid(&p, &view, curve.axis);
     plot_graticule(&p, &view, curve.axis, 30);
@@ -91,7 +91,8 @@ int main(int argc, char **argv)
     for (k = 1; k <= RANKS; ++k) fprintf(e.table, "\tmu_%d", k);
     fprintf(e.table, "\terror_q8192\torder\terror_richardson\n");
     puts("Flowers on E(1.6, 1.3, 1.0): largest error of mu_1 ... mu_12 against the smooth curve, of q chords");
-    puts("sweep    r0      a  omega  y0/pi   q=256     q=512     q=1024    q=2048    q=4096    q=8192   order   Richardson");
+    puts("sweep    r0      a  omega  y0/pi   q=256     q=512     q=1024    q=2048    q=4096    q=8192   order   "
+         "Richardson");
     for (row = 0; row < t.rows; ++row) {
         const char *name = printed_text(&t, row, "sweep");
         for (sweep = 0; sweep < 4 && strcmp(sweeps[sweep], name) != 0; ++sweep) continue;
@@ -139,7 +140,8 @@ int main(int argc, char **argv)
         draw_cell(&p, &curve, mu[LEVELS - 1], left[sweep] + CELL * column, top[sweep] + 22, column == 0, what);
         ++column;
     }
-    snprintf(what, sizeof what, "polygons of 8192 chords agree to 2e-6 (worst %.1e), order %.2f to %.2f", worst, least, most);
+    snprintf(what, sizeof what, "polygons of 8192 chords agree to 2e-6 (worst %.1e), order %.2f to %.2f", worst, least,
+             most);
     experiment_claim(&e, what, worst < 2e-6 && least > 1.97 && most < 2.03);
     snprintf(what, sizeof what, "Richardson's extrapolation agrees to 1e-6 (worst %.1e)", worst_better);
     experiment_claim(&e, what, worst_better < 1e-6);

@@ -18,19 +18,21 @@
 #include "flower.h"
 #include "plot.h"
 
-#define LEVELS 9 /* q = 4 << level */
+#define LEVELS       9 /* q = 4 << level */
 #define MOST_CORNERS (4 << (LEVELS - 1))
-#define RANK 3
+#define RANK         3
 
 enum edges { GREAT_CIRCLES, CHORDS, GEODESICS };
 
-enum column { LENGTH, KAPPA, F_LAG, G_LAG, F, G, G_MIDDLE, MU, COLUMNS };
-static const char *const heading[COLUMNS] = {"|L-L_q|", "|k-k_q|", "f, lag", "g, lag /4", "f", "g", "g, middle", "mu_3"};
+/* G_BEFORE: section 4.2 to the letter, which pairs rightly but reads at the edge before corner 0. No reference has it. */
+enum column { LENGTH, KAPPA, F_LAG, G_LAG, F, G, G_MIDDLE, MU, COLUMNS, G_BEFORE = COLUMNS, ALL_COLUMNS };
+static const char *const heading[COLUMNS] = {"|L-L_q|", "|k-k_q|", "f, lag",    "g, lag /4",
+                                             "f",       "g",       "g, middle", "mu_3"};
 /* What the reference tables call them. */
 static const char *const reference[COLUMNS] = {"L_err",     "kappa_err", "f_lag_err",         "g_lag_err_over4",
                                                "f_std_err", "g_std_err", "g_std_midedge_err", "mu3_std_err"};
 
-typedef double errors[LEVELS][COLUMNS];
+typedef double errors[LEVELS][ALL_COLUMNS];
 
 /* Distance of two components after each is divided by its perimeter, which the paper does too. */
 static double distance(const double *g, const double *h, int p)
@@ -44,7 +46,8 @@ static double phase_error(const flower_exact *exact, const double *phase, size_t
     double worst = 0;
     size_t i;
     for (i = 0; i < q; ++i)
-        worst = fmax(worst, fabs(phase[i] - flower_phase(exact, flower_time(exact, exact->length * (double)i / (double)q))));
+        worst = fmax(worst,
+                     fabs(phase[i] - flower_phase(exact, flower_time(exact, exact->length * (double)i / (double)q))));
     return worst;
 }
 
@@ -78,7 +81,13 @@ static void measure(const flower_exact *exact, enum edges edges, size_t q, doubl
     error[F] = phase_error(exact, phase, q);
     error[G] = distance(g, smooth, RANK);
     error[G_MIDDLE] = distance(g, middle, RANK);
-    error[MU] = fabs(hypot(g[2 * RANK], g[2 * RANK + 1]) / g[0] - hypot(smooth[2 * RANK], smooth[2 * RANK + 1]) / smooth[0]);
+    error[MU] =
+        fabs(hypot(g[2 * RANK], g[2 * RANK + 1]) / g[0] - hypot(smooth[2 * RANK], smooth[2 * RANK + 1]) / smooth[0]);
+
+    /* Section 4.2: the same, turned on by alpha_0. */
+    for (i = 0; i < q; ++i) phase[i] += 2 * PI / w.turning * turning[0];
+    surfmink_irreducible(length, phase, q, RANK, g);
+    error[G_BEFORE] = distance(g, smooth, RANK) / 4;
 
     /* The authors: by alpha_0 + ... + alpha_(i-1), one corner late. */
     for (i = 0; i < q; ++i) late[i] = turning[i > 0 ? i - 1 : q - 1];
@@ -133,6 +142,31 @@ static void compare_errors(experiment *e, const char *file, errors error, double
         }
 }
 
+/* The smooth curve itself against 16 digits: L, kappa, mu_p, and g_p as a whole by p theta_p. */
+static void compare_exact(experiment *e, const char *surface, const flower_exact *exact)
+{
+    static printed t;
+    double g[2 * 12 + 2], mu, theta, worst = 0;
+    char what[64];
+    int row, p;
+    printed_read(&t, e, "smooth_flowers.tsv");
+    for (row = 0; row < t.rows && strcmp(printed_text(&t, row, "surface"), surface) != 0; ++row) continue;
+    experiment_need(row < t.rows, "the exact values of a flower are missing");
+    flower_components(exact, 0, 12, g);
+    experiment_near(e, "L of the smooth curve", exact->length, printed_number(&t, row, "L"), 1e-14);
+    experiment_near(e, "kappa of the smooth curve", exact->kappa, printed_number(&t, row, "kappa"), 1e-13);
+    for (p = 1; p <= 12; ++p) {
+        mu = printed_rank(&t, row, "mu_", p);
+        theta = printed_rank(&t, row, "theta_", p);
+        snprintf(what, sizeof what, "g_%d of the smooth curve on the %s", p, surface);
+        mu = hypot(g[2 * p] / g[0] - mu * cos(p * theta), g[2 * p + 1] / g[0] - mu * sin(p * theta));
+        worst = fmax(worst, mu);
+        experiment_near(e, what, mu, 0, 1e-13);
+    }
+    printf("The smooth curve on the %s: L = %.14f, kappa = %.14f, g_1 ... g_12 to %.0e of the reference\n", surface,
+           exact->length, exact->kappa, worst);
+}
+
 /* The paper's own table: every other level, with the order against the level between that it does not print. */
 static void compare_printed(experiment *e, const char *file, errors error, const enum column *column,
                             const char *const *name, int columns)
@@ -168,7 +202,7 @@ static void compare_printed(experiment *e, const char *file, errors error, const
     printf("%d entries agree\n\n", e->agree - before);
 }
 
-/* --- figure ---------------------------------------------------------------------------------------------------------- */
+/* --- figure ------------------------------------------------------------------------------------------------------- */
 
 static void draw_slope(plot *p, const plot_axes *axes, double start, int slope)
 {
@@ -179,14 +213,19 @@ static void draw_slope(plot *p, const plot_axes *axes, double start, int slope)
     error[1] = start * pow(q[0] / q[1], slope);
     plot_curve(p, axes, q, error, 2, pen, PLOT_NONE);
     snprintf(label, sizeof label, "order %d", slope);
-    plot_text_as(p, plot_x(axes, 420), plot_y(axes, start * pow(q[0] / 420, slope)) - 5, 9, "start", "#555555", 0, 0, label);
+    plot_text_as(p, plot_x(axes, 420), plot_y(axes, start * pow(q[0] / 420, slope)) - 5, 9, "start", "#555555", 0, 0,
+                 label);
 }
 
 static void draw(const experiment *e, errors great_circles, errors chords)
 {
     static const enum column shown[6] = {F, G_LAG, G, G_MIDDLE, MU, KAPPA};
-    static const char *const meaning[6] = {"$f$", "$g_3$ as printed (lag, /4)", "$g_3$ read at corner 0",
-                                           "$g_3$ read at the middle of edge 0", "$\\mu_3$", "$\\kappa$"};
+    static const char *const meaning[6] = {"$f$",
+                                           "$g_3$ as printed (lag, /4)",
+                                           "$g_3$ read at corner 0",
+                                           "$g_3$ read at the middle of edge 0",
+                                           "$\\mu_3$",
+                                           "$\\kappa$"};
     static const char *const title[2] = {"(a)  great circles on the unit sphere", "(b)  chords on the ellipsoid"};
     double q[LEVELS], error[LEVELS];
     plot p;
@@ -235,13 +274,16 @@ int main(int argc, char **argv)
     for (c = 0; c < COLUMNS; ++c) fprintf(e.table, "\t%s\teoc_%s", reference[c], reference[c]);
     fputc('\n', e.table);
 
-    puts("Table 1 as printed. It is the unit sphere; f and g turn one corner late; |g - g_q| is divided by 4;");
+    compare_exact(&e, "sphere", &sphere);
+    compare_exact(&e, "ellipsoid", &ellipsoid);
+    puts("\nTable 1 as printed. It is the unit sphere; f and g turn one corner late; |g - g_q| is divided by 4;");
     puts("eoc compares with q/2.");
     compare_printed(&e, "table1_printed.tsv", great_circles, table1, name1, 4);
     puts("Table 2 as printed: chords on the ellipsoid, computed in the same way.");
     compare_printed(&e, "table2_printed.tsv", chords, table2, name2, 3);
 
-    puts("Table 1 put right: great circles on the unit sphere. \"g, middle\" reads directions at the middle of edge 0.");
+    puts(
+        "Table 1 put right: great circles on the unit sphere. \"g, middle\" reads directions at the middle of edge 0.");
     print_errors(&e, "sphere_great_circles", great_circles);
     compare_errors(&e, "table1_reference.tsv", great_circles, 0);
     puts("\nWhat the caption of Table 1 describes: geodesics on the ellipsoid.");

@@ -13,11 +13,9 @@
 #include "experiment.h"
 #include "plot.h"
 
-#define RANKS 6
-#define MOST_CELLS 400
+#define RANKS        6
+#define MOST_CELLS   400
 #define MOST_CORNERS 16
-
-static const double axis[3] = {110, 50, 40}; /* of the ellipsoid, in micrometres */
 
 typedef struct cell {
     size_t n;
@@ -90,7 +88,6 @@ static void measure(cell *c)
 static void carry(const double a[3], const double b[3], const double v[3], double out[3])
 {
     double turn[3], cosine = dot(a, b), along;
-    int k;
     turn[0] = a[1] * b[2] - a[2] * b[1];
     turn[1] = a[2] * b[0] - a[0] * b[2];
     turn[2] = a[0] * b[1] - a[1] * b[0];
@@ -98,11 +95,10 @@ static void carry(const double a[3], const double b[3], const double v[3], doubl
     out[0] = cosine * v[0] + turn[1] * v[2] - turn[2] * v[1] + along * turn[0];
     out[1] = cosine * v[1] + turn[2] * v[0] - turn[0] * v[2] + along * turn[1];
     out[2] = cosine * v[2] + turn[0] * v[1] - turn[1] * v[0] + along * turn[2];
-    for (k = 0; k < 3; ++k) out[k] += 0.0;
 }
 
-/* The p directions at the centre of a cell: those at all edges are turned into the plane of the mean normal and averaged
-   as p-fold directions, weighted with the lengths of the edges. Returns how much they agree, in [0, 1]. */
+/* The p directions at the centre of a cell: those at all edges are turned into the plane of the mean normal and
+   averaged as p-fold directions, weighted with the lengths of the edges. Returns how much they agree, in [0, 1]. */
 static double centre_directions(const cell *c, int p, double *direction)
 {
     double frame[9], nu[3], tau[3], e1[3], e2[3], re = 0, im = 0, psi;
@@ -128,9 +124,10 @@ static double centre_directions(const cell *c, int p, double *direction)
     return hypot(re, im) / c->w.length;
 }
 
-/* --- figure ---------------------------------------------------------------------------------------------------------- */
+/* --- figure ------------------------------------------------------------------------------------------------------- */
 
-static void draw_outline(plot *p, const plot_view *view, const cell *c, const double *about, plot_pen pen, const char *fill)
+static void draw_outline(plot *p, const plot_view *view, const cell *c, const double *about, plot_pen pen,
+                         const char *fill)
 {
     double xy[2 * MOST_CORNERS], x[3];
     size_t i;
@@ -153,7 +150,7 @@ static void draw_vector(plot *p, const plot_view *view, const double *from, cons
     plot_arrow(p, a[0], a[1], b[0], b[1], pen);
 }
 
-/* One cell, seen 35 degrees from above: its normals (p = 0), or its p-fold directions. */
+/* One cell, seen at 35 degrees to its normal: its normals (p = 0), or its p-fold directions. */
 static void draw_cell(plot *p, const cell *c, int rank, double x, double y)
 {
     static const double origin[3] = {0, 0, 0};
@@ -162,10 +159,10 @@ static void draw_cell(plot *p, const cell *c, int rank, double x, double y)
     plot_view view;
     size_t i;
     int k, n;
-    for (k = 0; k < 3; ++k) toward[k] = c->up[k];
-    toward[2] -= 0.85;
+    for (k = 0; k < 3; ++k) toward[k] = (k == 2) - c->up[2] * c->up[k];
     unit(toward);
-    view = plot_look(atan2(toward[1], toward[0]) * 180 / PI, asin(toward[2]) * 180 / PI, x, y, 66 / size);
+    for (k = 0; k < 3; ++k) toward[k] = cos(0.6) * c->up[k] - sin(0.6) * toward[k];
+    view = plot_look(atan2(toward[1], toward[0]) * 180 / PI, asin(toward[2]) * 180 / PI, x, y, 92 / size);
     draw_outline(p, &view, c, c->middle, outline, "#eef7f3");
     for (i = 0; i < c->n; ++i) {
         const double *next = c->corner + 3 * ((i + 1) % c->n);
@@ -173,14 +170,14 @@ static void draw_cell(plot *p, const cell *c, int rank, double x, double y)
         surfmink_frame_embedded(c->corner, c->normal, c->n, i, frame);
         if (rank == 0) {
             for (k = 0; k < 3; ++k) at[k] = c->corner[3 * i + (size_t)k] - c->middle[k];
-            draw_vector(p, &view, at, c->normal + 3 * i, 0.4 * size, small);
+            draw_vector(p, &view, at, c->normal + 3 * i, 0.33 * size, small);
             continue;
         }
         surfmink_eigenvectors(c->g, rank, -1, c->phase[i], frame, 3, arrow);
-        for (n = 0; n < rank; ++n) draw_vector(p, &view, at, arrow + 3 * n, 0.16 * size, small);
+        for (n = 0; n < rank; ++n) draw_vector(p, &view, at, arrow + 3 * n, 0.13 * size, small);
     }
     if (rank == 0) {
-        draw_vector(p, &view, origin, c->up, 0.4 * size, large);
+        draw_vector(p, &view, origin, c->up, 0.33 * size, large);
         return;
     }
     centre_directions(c, rank, arrow);
@@ -190,13 +187,14 @@ static void draw_cell(plot *p, const cell *c, int rank, double x, double y)
 static void draw(const experiment *e, const cell *cells, int count, const cell *const *chosen, const plot_view *view)
 {
     static const double origin[3] = {0, 0, 0};
-    static const char *const column[7] = {"outline, normals", "", "$p$ = 2", "$p$ = 3", "$p$ = 4", "$p$ = 5", "$p$ = 6"};
+    static const char *const column[7] = {"outline, normals", "",        "$p$ = 2", "$p$ = 3",
+                                          "$p$ = 4",          "$p$ = 5", "$p$ = 6"};
     plot_pen thin = {"#444444", 0.5, ""}, thick = {"#000000", 2.2, ""};
     char colour[8], name[8];
     double xy[2];
     plot p;
     int i, k, n;
-    if (plot_begin(&p, e->figure, 780, 660)) exit(1);
+    if (plot_begin(&p, e->figure, 780, 655)) exit(1);
     plot_letter(&p, 8, 20, "(a)");
     for (i = 0; i < count; ++i)
         if (dot(cells[i].up, view->toward) > 0.02)
@@ -222,7 +220,7 @@ static void draw(const experiment *e, const cell *cells, int count, const cell *
     }
     plot_letter(&p, 8, 270, "(c)");
     for (k = 0; k < 3; ++k) {
-        double y = 338.0 + 124 * k;
+        double y = 345.0 + 122 * k;
         snprintf(name, sizeof name, "%d", k + 1);
         plot_disc(&p, 18, y, 7.5, plot_thin, "#ffffff");
         plot_text_as(&p, 18, y + 4, 11, "middle", "#000000", 1, 0, name);
@@ -263,7 +261,8 @@ int main(int argc, char **argv)
     }
     printf("Three of %d cells of a tissue on an ellipsoid\n", count);
     for (k = 0; k < 3; ++k) {
-        printf("%d  cell %3d, %-15s %lu corners ", k + 1, (int)(chosen[k] - cells), why[k], (unsigned long)chosen[k]->n);
+        printf("%d  cell %3d, %-15s %lu corners ", k + 1, (int)(chosen[k] - cells), why[k],
+               (unsigned long)chosen[k]->n);
         for (p = 2; p <= RANKS; ++p) {
             coherence = centre_directions(chosen[k], p, arrow);
             printf("  mu_%d = %.3f (coherence %.3f)", p, chosen[k]->mu[p], coherence);
@@ -282,7 +281,8 @@ int main(int argc, char **argv)
                 surfmink_eigenvectors(c->g, p, -1, 0, frame, 3, arrow);
                 surfmink_frame_embedded(c->corner, c->normal, c->n, at, frame);
                 surfmink_eigenvectors(c->g, p, -1, c->phase[at], frame, 3, there);
-                surfmink_transport_vector(c->corner, c->normal, c->turning, c->n, 0, edge, SURFMINK_CORRECTED, arrow, home);
+                surfmink_transport_vector(c->corner, c->normal, c->turning, c->n, 0, edge, SURFMINK_CORRECTED, arrow,
+                                          home);
                 for (n = 0; n < 3; ++n) off = fmax(off, fabs(home[n] - there[n]));
             }
     printf("eigenvectors at all edges against those carried there from edge 0: %.1e\n", off);

@@ -2,9 +2,9 @@
 
      cc torus.c -o torus -lm && ./torus DIRECTORY DATA             (from the root: make paper)
 
-   Geodesic triangles on a torus (paper 5.1): two corners stay on the innermost ring, the third moves once over the tube,
-   from theta_2 = 0.9 pi to -0.8 pi. Their edges are not the shortest geodesics but those that the straight segments of
-   the chart (phi, theta) are pulled tight to: corners are therefore angles that are not reduced modulo 2 pi. */
+   Geodesic triangles on a torus (paper 5.1): two corners stay on the innermost ring, the third moves once over the
+   tube, from theta_2 = 0.9 pi to -0.8 pi. Their edges are not the shortest geodesics but those that the straight
+   segments of the chart (phi, theta) are pulled tight to: corners are angles not reduced modulo 2 pi. */
 
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
@@ -12,9 +12,9 @@
 #include "experiment.h"
 #include "plot.h"
 
-#define RANKS 6
-#define STEPS 170 /* over 1.7 pi */
-#define PIECES 64 /* points that an edge is drawn with */
+#define RANKS  6
+#define STEPS  170 /* over 1.7 pi */
+#define PIECES 64  /* points that an edge is drawn with */
 
 typedef struct triangle {
     double corner[6], length[3], turning[3], mu[RANKS + 1];
@@ -108,7 +108,7 @@ static void check_text(experiment *e, const triangle *t, const double *theta)
                          marked.mu[5] > 0.2 && marked.angle_spread < 0.02 && marked.length_spread > 6);
 }
 
-/* --- figure ---------------------------------------------------------------------------------------------------------- */
+/* --- figure ------------------------------------------------------------------------------------------------------- */
 
 /* The view is chosen so that the moving corner is on the near side. */
 static void draw_triangle(plot *p, double theta2_over_pi, double azimuth, double elevation, double left, double top,
@@ -142,7 +142,8 @@ static void draw_triangle(plot *p, double theta2_over_pi, double azimuth, double
 
 static void draw(const experiment *e, const triangle *t, const double *theta)
 {
-    static const double marked[4] = {0.6, 0.2, -0.4, -0.8}, azimuth[4] = {-80, 75, 75, 75}, elevation[4] = {52, 58, 8, -66};
+    static const double marked[4] = {0.6, 0.2, -0.4, -0.8}, azimuth[4] = {-80, 75, 75, 75},
+                        elevation[4] = {52, 58, 8, -66};
     static const char *const title[4] = {"$\\theta_2$ = 0.6\\pi", "$\\theta_2$ = 0.2\\pi",
                                          "$\\theta_2$ = \\minus0.4\\pi", "$\\theta_2$ = \\minus0.8\\pi"};
     plot_axes values = {70, 195, 560, 190, {0.9, -0.82}, {0, 1.03}, {0, 0}};

@@ -11,7 +11,7 @@
 #include "experiment.h"
 #include "plot.h"
 
-#define CORNERS 5
+#define CORNERS  5
 #define PER_EDGE 8 /* arrows */
 
 /* A pentagon that covers a good part of the unit sphere. */
@@ -82,9 +82,11 @@ static void draw_panel(plot *p, const journey *j, double left, int which, const 
     }
     for (i = 0; i <= last; ++i) {
         double way = (double)i / last;
-        if (i == 0 || i == last) pen.width = 2.6;
-        else pen.width = 1.3;
-        pen.colour = plot_ramp(0.92 * way, colour);
+        if (i == 0 || i == last)
+            pen.width = 2.6;
+        else
+            pen.width = 1.3;
+        pen.colour = plot_ramp(0.76 * way, colour);
         if (which < 2) {
             draw_arrow(p, &view, j, which == 0 ? SURFMINK_PARALLEL : SURFMINK_CORRECTED, way, pen);
             continue;
@@ -134,7 +136,7 @@ int main(int argc, char **argv)
     draw_panel(&p, &j, 480, 2, "(c)  both");
     for (i = 0; i < 60; ++i) {
         colour_at = (i + 0.5) / 60;
-        plot_box(&p, 165 + 2.0 * i, 276, 2.3, 9, plot_no_line, plot_ramp(0.92 * colour_at, colour));
+        plot_box(&p, 165 + 2.0 * i, 276, 2.3, 9, plot_no_line, plot_ramp(0.76 * colour_at, colour));
     }
     plot_box(&p, 165, 276, 120, 9, plot_thin, "none");
     plot_text(&p, 158, 284, 10, "end", "start");

@@ -52,7 +52,7 @@ static inline int hyperbolic__seen_from(const double *x, const double *y, double
     return SURFMINK_OK;
 }
 
-/* log as surfmink.h wants it: length 2 arsinh(|y - x| / sqrt((1 - |x|^2) (1 - |y|^2))), direction in the axes of the disk. */
+/* log as surfmink.h wants it: length 2 arsinh(|y - x| / sqrt((1 - |x|^2) (1 - |y|^2))), direction in the disk's axes. */
 static inline int surfmink_hyperbolic_log(void *context, const double *x, const double *y, double *length,
                                           double direction[2])
 {

@@ -832,7 +832,7 @@ static inline int mesh__add_cut(mesh__trace *trace, size_t h)
     const mesh *m = trace->m;
     size_t from = m->triangle[h], to = m->triangle[mesh__next(h)];
     double t = mesh__fraction(trace->field[from], trace->field[to], trace->level);
-    double s = mesh__fraction(trace->field[to], trace->field[from], trace->level), *x, *n, length;
+    double s = 1 - t, *x, *n, length;
     void *grown = mesh__grow(trace->loops->corner, trace->used, &trace->corner_room, 3 * sizeof(double));
     int c;
     if (grown) trace->loops->corner = (double *)grown;

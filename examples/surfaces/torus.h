@@ -83,15 +83,16 @@ static inline int torus__log(void *context, const double *x, const double *y, do
     return SURFMINK_OK;
 }
 
-/* Angles are followed in pieces of less than half a turn, for the point alone does not tell how often it went round. */
+/* Angles are followed in pieces of less than half a turn, for the point alone does not tell how often it went round: that
+   many shots. At most 1000, else BAD_ARGUMENT. */
 static inline int torus__exp(void *context, const double *x, const double direction[2], double length, double *y)
 {
     const double *radius = (const double *)context;
     surfmink_implicit torus = surfmink_torus(radius);
-    double start[3], point[3], now[2], angle[2], piece = (radius[0] - radius[1] < radius[1] ? radius[0] - radius[1] : radius[1]);
-    double pieces = ceil(fabs(length) / piece), i;
+    double start[3], point[3], now[2], angle[2], i;
+    double pieces = ceil(fabs(length) / fmin(radius[0] - radius[1], radius[1]));
     int k, status;
-    if (!(pieces < 1e6)) return SURFMINK_BAD_ARGUMENT;
+    if (!(pieces <= 1000)) return SURFMINK_BAD_ARGUMENT;
     surfmink_torus_point(radius, x[0], x[1], start);
     now[0] = x[0];
     now[1] = x[1];

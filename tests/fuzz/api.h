@@ -1,0 +1,37 @@
+/* api.h - the library under fuzzing, and small things that every harness of it asks. */
+#ifndef FUZZ_API_H
+#define FUZZ_API_H
+
+#define SURFMINK_STATIC
+#include "surfmink.h"
+
+#include "fuzz.h"
+
+enum { CORNERS = 20, RANK = 12 };
+
+typedef struct measured {
+    double mu[RANK + 1], g[2 * RANK + 2];
+    surfmink_functionals w;
+    double length[CORNERS], turning[CORNERS];
+    size_t bad;
+    int status;
+} measured;
+
+static inline int is_known(int status)
+{
+    return status >= SURFMINK_OK && status <= SURFMINK_BAD_ARGUMENT;
+}
+
+static inline int all_finite(const double *x, size_t count)
+{
+    while (count-- > 0)
+        if (!isfinite(x[count])) return 0;
+    return 1;
+}
+
+static inline int same_bits(const void *a, const void *b, size_t size)
+{
+    return memcmp(a, b, size) == 0;
+}
+
+#endif

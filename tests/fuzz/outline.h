@@ -1,0 +1,230 @@
+/* outline.h - outlines out of bytes, and what has to hold of them however they are drawn. */
+#ifndef FUZZ_OUTLINE_H
+#define FUZZ_OUTLINE_H
+
+#include "api.h"
+
+/* --- outlines ----------------------------------------------------------------------------------------------------- */
+
+enum kind { PLANE, SPHERE, EMBEDDED };
+
+typedef struct outline {
+    enum kind kind;
+    size_t n;
+    double corner[3 * CORNERS], normal[3 * CORNERS], radius;
+} outline;
+
+static size_t dim_of(const outline *o)
+{
+    return o->kind == PLANE ? 2 : 3;
+}
+
+static void take_outline(bytes *in, enum kind kind, outline *o)
+{
+    double unit = 1;
+    size_t i;
+    memset(o, 0, sizeof *o);
+    o->kind = kind;
+    o->radius = 1;
+    o->n = take(in) % (CORNERS + 1);
+    if (take(in) < 16) unit = take_number(in);
+    if (kind == SPHERE && take(in) < 16) o->radius = take_number(in);
+    for (i = 0; i < dim_of(o) * o->n; ++i) o->corner[i] = unit * take_number(in);
+    for (i = 0; kind == EMBEDDED && i < 3 * o->n; ++i) o->normal[i] = take_number(in);
+}
+
+static int measure_outline(const outline *o, measured *m)
+{
+    memset(m, 0x5a, sizeof *m);
+    if (o->kind == PLANE) return surfmink_measure_plane(o->corner, o->n, RANK, m->mu, m->g, &m->w, &m->bad);
+    if (o->kind == SPHERE)
+        return surfmink_measure_sphere(o->corner, o->n, o->radius, RANK, m->mu, m->g, &m->w, &m->bad);
+    return surfmink_measure_embedded(o->corner, o->normal, o->n, RANK, m->mu, m->g, &m->w, &m->bad);
+}
+
+static int measure_edges(const outline *o, measured *m)
+{
+    if (o->kind == PLANE) return surfmink_edges_plane(o->corner, o->n, m->length, m->turning, &m->bad);
+    if (o->kind == SPHERE) return surfmink_edges_sphere(o->corner, o->n, o->radius, m->length, m->turning, &m->bad);
+    return surfmink_edges_embedded(o->corner, o->normal, o->n, m->length, m->turning, &m->bad);
+}
+
+/* Both doors, and what each of them promises by itself. Returns 0 if there is nothing to compare others with. */
+static int measure_twice(const outline *o, measured *m)
+{
+    measured untouched;
+    size_t i;
+    int p;
+    memset(&untouched, 0x5a, sizeof untouched);
+    m->status = 0;
+    p = measure_outline(o, m);
+    CLAIM(is_known(p));
+    if (p != SURFMINK_OK) {
+        CLAIM(m->bad <= o->n);
+        m->bad = untouched.bad;
+        CLAIM(same_bits(m, &untouched, sizeof untouched));
+    } else {
+        CLAIM(m->bad == untouched.bad);
+        CLAIM(all_finite(m->mu, RANK + 1) && all_finite(m->g, 2 * RANK + 2));
+        CLAIM(isfinite(m->w.area) && isfinite(m->w.length) && isfinite(m->w.turning) && isfinite(m->w.curvature));
+        CLAIM(m->w.length > 0 && m->w.turning > 0 && m->w.condition >= 1 - 4 * DBL_EPSILON);
+        for (i = 0; i <= RANK; ++i) CLAIM(m->mu[i] >= 0 && m->mu[i] <= 1 + 4 * DBL_EPSILON);
+    }
+    m->status = p;
+    p = measure_edges(o, m);
+    CLAIM(is_known(p));
+    if (p != SURFMINK_OK) {
+        CLAIM(m->bad <= o->n);
+        CLAIM(same_bits(m->length, untouched.length, sizeof m->length));
+        CLAIM(same_bits(m->turning, untouched.turning, sizeof m->turning));
+        CLAIM(m->status != SURFMINK_OK);
+        return 0;
+    }
+    CLAIM(all_finite(m->length, o->n) && all_finite(m->turning, o->n));
+    for (i = 0; i < o->n; ++i) CLAIM(m->length[i] >= 0 && fabs(m->turning[i]) <= 3.1415926535897936);
+    return 1;
+}
+
+/* A spike turns by pi up to rounding, and so has no definite sign. */
+static int has_spike(const outline *o, const measured *m)
+{
+    size_t i;
+    for (i = 0; i < o->n; ++i)
+        if (fabs(m->turning[i]) > 3.141592653589) return 1;
+    return 0;
+}
+
+/* What an exact copy of an outline, drawn otherwise, has to agree in: all that does not depend on how it is drawn. */
+static void claim_alike(const measured *a, const measured *b)
+{
+    double loose;
+    int p;
+    if (a->status != SURFMINK_OK || b->status != SURFMINK_OK) {
+        CLAIM(a->status != SURFMINK_OK || a->w.condition > 1e6 || b->status == a->status);
+        return;
+    }
+    loose = 1e-13 * (1 + a->w.condition) * (1 + a->w.condition);
+    if (!(loose < 0.1)) return;
+    CLAIM(fabs(a->w.length - b->w.length) <= 1e-14 * a->w.length);
+    CLAIM(fabs(a->w.turning - b->w.turning) <= 1e-14 * (1 + a->w.condition) * a->w.turning);
+    for (p = 0; p <= RANK; ++p) CLAIM(fabs(a->mu[p] - b->mu[p]) <= loose);
+}
+
+/* --- the same outline, drawn otherwise, exactly --------------------------------------------------------------------- */
+
+static void relabel(outline *o, size_t by)
+{
+    outline old = *o;
+    size_t i, k, dim = dim_of(o);
+    for (i = 0; i < o->n; ++i)
+        for (k = 0; k < 3; ++k) {
+            if (k < dim) o->corner[dim * i + k] = old.corner[dim * ((i + by) % o->n) + k];
+            o->normal[3 * i + k] = old.normal[3 * ((i + by) % o->n) + k];
+        }
+}
+
+/* By a quarter turn in the plane, a third of a turn about (1, 1, 1) in space. */
+static void rotate_numbers(double *x, size_t n, size_t dim)
+{
+    double kept;
+    size_t i;
+    for (i = 0; i < n; ++i, x += dim) {
+        kept = x[0];
+        x[0] = dim == 2 ? -x[1] : x[1];
+        x[1] = dim == 2 ? kept : x[2];
+        if (dim == 3) x[2] = kept;
+    }
+}
+
+static void rotate(outline *o)
+{
+    rotate_numbers(o->corner, o->n, dim_of(o));
+    rotate_numbers(o->normal, o->n, 3);
+}
+
+static void backwards(outline *o)
+{
+    surfmink_reverse(o->corner, o->n, dim_of(o));
+    surfmink_reverse(o->normal, o->n, 3);
+}
+
+static void mirror(outline *o)
+{
+    size_t i;
+    for (i = 0; i < o->n; ++i) {
+        o->corner[dim_of(o) * i] = -o->corner[dim_of(o) * i];
+        o->normal[3 * i] = -o->normal[3 * i];
+    }
+}
+
+/* Are the magnitudes of all numbers but 0 such that neither products nor sums of them under- or overflow? */
+static int is_tame(const double *x, size_t count)
+{
+    double least = HUGE_VAL, most = 0;
+    for (; count > 0; --count, ++x) {
+        if (*x != 0 && !(fabs(*x) >= least)) least = fabs(*x);
+        if (!(fabs(*x) <= most)) most = fabs(*x);
+    }
+    return most == 0 || (least > 1e-120 && most < 1e120 && most < 1e20 * least);
+}
+
+/* Returns 0 if that is not exact. */
+static int scale(outline *o, double by)
+{
+    size_t i;
+    for (i = 0; i < dim_of(o) * o->n; ++i) o->corner[i] *= by;
+    return is_tame(o->corner, dim_of(o) * o->n) && is_tame(o->normal, 3 * o->n);
+}
+
+/* Lengths and what follows from them scale with the corners; on the sphere they belong to the radius instead. */
+static void claim_scaled(const outline *o, const measured *a, double by)
+{
+    outline other = *o;
+    measured b;
+    size_t i;
+    double length = o->kind == SPHERE ? 1 : by;
+    if (!scale(&other, 1) || !scale(&other, by)) return;
+    if (!measure_twice(&other, &b)) return;
+    CLAIM(same_bits(a->turning, b.turning, o->n * sizeof *a->turning));
+    for (i = 0; i < o->n; ++i) CLAIM(a->length[i] * length == b.length[i]);
+    CLAIM(a->status == b.status);
+    if (a->status == SURFMINK_OK) CLAIM(same_bits(a->mu, b.mu, sizeof a->mu));
+}
+
+static void claim_invariants(const outline *o)
+{
+    outline other;
+    measured m, b;
+    double s = 0, turned = 0;
+    size_t i;
+    if (!measure_twice(o, &m)) return;
+    claim_scaled(o, &m, 0x1p-40);
+    claim_scaled(o, &m, 0x1p+101);
+    if (has_spike(o, &m) || !is_tame(o->corner, dim_of(o) * o->n) || !is_tame(o->normal, 3 * o->n)) return;
+
+    other = *o;
+    relabel(&other, 1 + (size_t)fabs(fmod(o->corner[0], 7)));
+    measure_twice(&other, &b);
+    claim_alike(&m, &b);
+
+    other = *o;
+    rotate(&other);
+    measure_twice(&other, &b);
+    claim_alike(&m, &b);
+
+    other = *o;
+    backwards(&other);
+    CLAIM(measure_twice(&other, &b));
+    for (i = 0; i < o->n; ++i) {
+        s += m.turning[i] + b.turning[i];
+        turned += fabs(m.turning[i]);
+    }
+    CLAIM(fabs(s) <= 1e-14 * (turned + (double)o->n));
+    if (m.status == SURFMINK_OK && m.w.condition < 1e6) CLAIM(b.status == SURFMINK_CLOCKWISE);
+
+    mirror(&other); /* counter-clockwise again, seen in a mirror */
+    measure_twice(&other, &b);
+    claim_alike(&m, &b);
+}
+
+#endif

@@ -1,0 +1,848 @@
+/* What is drawn wrong is named, blamed on a corner where one is to blame, and changes nothing.
+   cc -I. tests/test_errors.c -lm && ./a.out */
+#define SURFMINK_IMPLEMENTATION
+#include "surfmink.h"
+
+#include <float.h>
+
+#include "harness.h"
+#include "shapes.h"
+
+/* Room for every output of every call. Before each refusal it is filled with a pattern, which has to survive. */
+static struct {
+    double mu[40], g[80], length[40], turning[40], vector[120];
+    surfmink_functionals w;
+} out, untouched;
+static size_t bad;
+
+#define NOBODY 12345
+
+static void fill(void)
+{
+    memset(&out, 0xA5, sizeof out);
+    memset(&untouched, 0xA5, sizeof untouched);
+    bad = NOBODY;
+}
+
+#define REFUSES(call, status) (fill(), CHECK_STATUS(call, status), CHECK(memcmp(&out, &untouched, sizeof out) == 0))
+#define BLAMES(call, status, corner) (REFUSES(call, status), CHECK_EQUAL(bad, corner))
+/* An edge has two corners: either may take the blame. */
+#define BLAMES_EITHER(call, status, a, b) (REFUSES(call, status), CHECK(bad == (a) || bad == (b)))
+
+static double infinity_(void)
+{
+    return HUGE_VAL;
+}
+
+static double nan_(void)
+{
+    return nan("");
+}
+
+/* --- the names ------------------------------------------------------------------------------------------------------- */
+
+THEOREM(every_status_has_its_own_sentence_and_word)
+{
+    static const char *const word[12] = {"ok", "too_few_corners", "not_finite", "coincident_corners", "zero_normal", "upright_edge",
+                                         "antipodal_corners", "clockwise", "too_much_curvature", "crosses_itself", "callback_failed",
+                                         "bad_argument"};
+    int a, b;
+    CHECK_EQUAL(SURFMINK_OK, 0);
+    CHECK_EQUAL(SURFMINK_BAD_ARGUMENT, 11);
+    for (a = 0; a < 12; ++a) {
+        CASE("status %d", a);
+        CHECK(strcmp(surfmink_status_name(a), word[a]) == 0);
+        CHECK(strlen(surfmink_strerror(a)) > 5);
+        for (b = 0; b < a; ++b) CHECK(strcmp(surfmink_strerror(a), surfmink_strerror(b)) != 0);
+    }
+    for (a = -3; a < 40; a = a == -1 ? 12 : a + 1) {
+        CASE("status %d", a);
+        CHECK(strcmp(surfmink_status_name(a), "") == 0);
+        CHECK(strcmp(surfmink_strerror(a), "") == 0);
+    }
+}
+
+/* --- outlines that are wrong whatever the surface --------------------------------------------------------------------- */
+
+/* The four kinds of surfaces behind one call, so that what is true of all is said once. dim = 2: the plane, or the plane by
+   callbacks; dim = 3: sphere, or embedded with its corners as normals. */
+enum kind { PLANE, SPHERE, EMBEDDED, SURFACE, KINDS };
+static const char *const kind_name[KINDS] = {"plane", "sphere", "embedded", "surface"};
+
+static int measure(enum kind kind, const double *corner, size_t n, int max_rank)
+{
+    static double scratch[80];
+    surfmink_surface plane = spinning_plane();
+    switch (kind) {
+    case PLANE: return surfmink_measure_plane(corner, n, max_rank, out.mu, out.g, &out.w, &bad);
+    case SPHERE: return surfmink_measure_sphere(corner, n, 1.0, max_rank, out.mu, out.g, &out.w, &bad);
+    case EMBEDDED: return surfmink_measure_embedded(corner, corner, n, max_rank, out.mu, out.g, &out.w, &bad);
+    default: return surfmink_measure_surface(&plane, corner, n, scratch, max_rank, out.mu, out.g, &out.w, &bad);
+    }
+}
+
+static int edges(enum kind kind, const double *corner, size_t n)
+{
+    static double scratch[80];
+    surfmink_surface plane = spinning_plane();
+    switch (kind) {
+    case PLANE: return surfmink_edges_plane(corner, n, out.length, out.turning, &bad);
+    case SPHERE: return surfmink_edges_sphere(corner, n, 1.0, out.length, out.turning, &bad);
+    case EMBEDDED: return surfmink_edges_embedded(corner, corner, n, out.length, out.turning, &bad);
+    default: return surfmink_edges_surface(&plane, corner, n, scratch, out.length, out.turning, &bad);
+    }
+}
+
+/* A counter-clockwise pentagon on any of them; returns the number of doubles of a corner. */
+static size_t pentagon(enum kind kind, double *corner)
+{
+    double xy[10];
+    size_t i;
+    for (i = 0; i < 5; ++i) {
+        xy[2 * i] = cos(2 * PI * (double)i / 5);
+        xy[2 * i + 1] = sin(2 * PI * (double)i / 5);
+    }
+    if (kind == PLANE || kind == SURFACE) {
+        memcpy(corner, xy, sizeof xy);
+        return 2;
+    }
+    onto_sphere(xy, 5, 0.5, corner);
+    return 3;
+}
+
+THEOREM(fewer_than_three_corners_are_too_few)
+{
+    double corner[15];
+    int kind;
+    size_t n;
+    for (kind = 0; kind < KINDS; ++kind)
+        for (n = 0; n < 3; ++n) {
+            pentagon((enum kind)kind, corner);
+            CASE("%s, %d corners", kind_name[kind], (int)n);
+            BLAMES(measure((enum kind)kind, corner, n, 3), SURFMINK_TOO_FEW_CORNERS, n);
+            BLAMES(edges((enum kind)kind, corner, n), SURFMINK_TOO_FEW_CORNERS, n);
+        }
+}
+
+THEOREM(a_corner_that_is_not_finite_is_blamed)
+{
+    double corner[15], wrong[3];
+    int kind, what;
+    size_t k;
+    wrong[0] = nan_(), wrong[1] = infinity_(), wrong[2] = -infinity_();
+    for (kind = 0; kind < SURFACE; ++kind) /* corners of a surface by callbacks are opaque */
+        for (what = 0; what < 3; ++what) {
+            size_t stride = pentagon((enum kind)kind, corner);
+            for (k = 0; k < 5 * stride; ++k) {
+                double kept = corner[k];
+                corner[k] = wrong[what];
+                CASE("%s, %g in place %d", kind_name[kind], wrong[what], (int)k);
+                BLAMES(measure((enum kind)kind, corner, 5, 3), SURFMINK_NOT_FINITE, k / stride);
+                BLAMES(edges((enum kind)kind, corner, 5), SURFMINK_NOT_FINITE, k / stride);
+                corner[k] = kept;
+            }
+        }
+}
+
+THEOREM(neighbours_that_coincide_are_blamed)
+{
+    double corner[15];
+    int kind;
+    size_t i;
+    for (kind = 0; kind < KINDS; ++kind)
+        for (i = 0; i < 5; ++i) {
+            size_t stride = pentagon((enum kind)kind, corner), next = (i + 1) % 5;
+            memcpy(corner + next * stride, corner + i * stride, stride * sizeof *corner);
+            CASE("%s, corners %d and %d", kind_name[kind], (int)i, (int)next);
+            BLAMES_EITHER(measure((enum kind)kind, corner, 5, 3), SURFMINK_COINCIDENT_CORNERS, i, next);
+            BLAMES_EITHER(edges((enum kind)kind, corner, 5), SURFMINK_COINCIDENT_CORNERS, i, next);
+            if (kind != SPHERE) continue;
+            corner[3 * next] *= 2, corner[3 * next + 1] *= 2, corner[3 * next + 2] *= 2; /* the same direction is the same point */
+            BLAMES_EITHER(measure((enum kind)kind, corner, 5, 3), SURFMINK_COINCIDENT_CORNERS, i, next);
+        }
+}
+
+THEOREM(corners_may_meet_again_if_they_are_not_neighbours)
+{
+    double corner[15];
+    int kind;
+    for (kind = 0; kind < KINDS; ++kind) { /* a whisker: from corner 4 to the place of corner 0 and on to a second pentagon */
+        size_t stride = pentagon((enum kind)kind, corner);
+        double twice[18];
+        memcpy(twice, corner, 5 * stride * sizeof *corner);
+        memcpy(twice + 5 * stride, corner + 3 * stride, stride * sizeof *corner); /* 0 1 2 3 4 3: a spike at 4 */
+        CASE("%s", kind_name[kind]);
+        CHECK_OK(edges((enum kind)kind, twice, 6));
+    }
+}
+
+THEOREM(clockwise_outlines_are_named)
+{
+    double corner[15];
+    int kind;
+    for (kind = 0; kind < KINDS; ++kind) {
+        size_t stride = pentagon((enum kind)kind, corner);
+        CASE("%s", kind_name[kind]);
+        CHECK_OK(measure((enum kind)kind, corner, 5, 3));
+        surfmink_reverse(corner, 5, stride);
+        BLAMES(measure((enum kind)kind, corner, 5, 3), SURFMINK_CLOCKWISE, 5);
+        fill();
+        CHECK_OK(edges((enum kind)kind, corner, 5)); /* lengths and angles say nothing about the outline as a whole */
+        CHECK_EQUAL(bad, NOBODY);
+    }
+}
+
+THEOREM(a_rank_is_not_negative)
+{
+    double corner[15];
+    int kind;
+    for (kind = 0; kind < KINDS; ++kind) {
+        pentagon((enum kind)kind, corner);
+        CASE("%s", kind_name[kind]);
+        BLAMES(measure((enum kind)kind, corner, 5, -1), SURFMINK_BAD_ARGUMENT, 5);
+        fill();
+        CHECK_OK(measure((enum kind)kind, corner, 5, 0));
+        CHECK_NEAR(out.mu[0], 1, 0);
+        CHECK(memcmp(out.mu + 1, untouched.mu + 1, sizeof out.mu - sizeof *out.mu) == 0); /* P + 1 numbers, no more */
+        CHECK(memcmp(out.g + 2, untouched.g + 2, sizeof out.g - 2 * sizeof *out.g) == 0);
+    }
+}
+
+THEOREM(the_blame_may_be_left_out)
+{
+    static const double line[6] = {0, 0, 1, 0, 1, 0};
+    double scratch[6], radius = 1;
+    surfmink_surface sphere = surfmink_sphere(&radius), plane = spinning_plane();
+    static const double same[9] = {0, 0, 1, 0, 0, 1, 0, 1, 0};
+    REFUSES(surfmink_measure_plane(line, 3, 1, out.mu, out.g, &out.w, NULL), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_measure_sphere(same, 3, 1.0, 1, out.mu, out.g, &out.w, NULL), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_measure_embedded(same, same, 3, 1, out.mu, out.g, &out.w, NULL), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_measure_surface(&sphere, same, 3, scratch, 1, out.mu, out.g, &out.w, NULL), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_edges_plane(line, 3, out.length, out.turning, NULL), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_edges_sphere(same, 3, 1.0, out.length, out.turning, NULL), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_edges_embedded(same, same, 3, out.length, out.turning, NULL), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_edges_surface(&plane, line, 3, scratch, out.length, out.turning, NULL), SURFMINK_COINCIDENT_CORNERS);
+}
+
+/* --- outlines that are wrong on one kind of surface ------------------------------------------------------------------- */
+
+THEOREM(what_overflows_is_not_finite)
+{
+    double wide[6], corner[15], area;
+    wide[0] = -1e308, wide[1] = 0, wide[2] = 1e308, wide[3] = 0, wide[4] = 0, wide[5] = 1e308; /* a difference */
+    REFUSES(surfmink_measure_plane(wide, 3, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_edges_plane(wide, 3, out.length, out.turning, &bad), SURFMINK_NOT_FINITE);
+    wide[0] = -0.8e308, wide[1] = -0.8e308, wide[2] = 0.8e308, wide[3] = 0.8e308, wide[4] = -0.8e308, wide[5] = 0.8e308; /* a length */
+    REFUSES(surfmink_edges_plane(wide, 3, out.length, out.turning, &bad), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_measure_plane(wide, 3, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
+    wide[0] = 0, wide[1] = 0, wide[2] = 1e160, wide[3] = 0, wide[4] = 0, wide[5] = 1e160; /* an area */
+    REFUSES(surfmink_measure_plane(wide, 3, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_area_plane(wide, 3, &out.mu[0]), SURFMINK_NOT_FINITE);
+    CHECK_OK(surfmink_edges_plane(wide, 3, out.length, out.turning, &bad));
+    pentagon(SPHERE, corner);
+    REFUSES(surfmink_measure_sphere(corner, 5, 1e160, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_area_sphere(corner, 5, 1e160, &out.mu[0]), SURFMINK_NOT_FINITE);
+    CHECK_OK(surfmink_edges_sphere(corner, 5, 1e160, out.length, out.turning, &bad));
+    onto_sphere(corner, 5, 1.0, corner);
+    CHECK_OK(surfmink_area_sphere(corner, 5, 1e100, &area));
+}
+
+THEOREM(a_sphere_has_a_centre_antipodes_and_a_positive_radius)
+{
+    static const double wrong_radius[3] = {0, -1, -0.0};
+    double corner[15], infinite = infinity_();
+    size_t i;
+    for (i = 0; i < 5; ++i) {
+        pentagon(SPHERE, corner);
+        corner[3 * i] = corner[3 * i + 1] = corner[3 * i + 2] = 0;
+        CASE("corner %d", (int)i);
+        BLAMES(surfmink_measure_sphere(corner, 5, 1.0, 3, out.mu, out.g, &out.w, &bad), SURFMINK_ZERO_NORMAL, i);
+        BLAMES(surfmink_edges_sphere(corner, 5, 1.0, out.length, out.turning, &bad), SURFMINK_ZERO_NORMAL, i);
+        REFUSES(surfmink_area_sphere(corner, 5, 1.0, &out.mu[0]), SURFMINK_ZERO_NORMAL);
+        pentagon(SPHERE, corner);
+        corner[3 * i] = -3 * corner[3 * ((i + 1) % 5)]; /* opposite to the next one, and three times as far off */
+        corner[3 * i + 1] = -3 * corner[3 * ((i + 1) % 5) + 1];
+        corner[3 * i + 2] = -3 * corner[3 * ((i + 1) % 5) + 2];
+        BLAMES_EITHER(surfmink_measure_sphere(corner, 5, 1.0, 3, out.mu, out.g, &out.w, &bad), SURFMINK_ANTIPODAL_CORNERS, i, (i + 1) % 5);
+        BLAMES_EITHER(surfmink_edges_sphere(corner, 5, 1.0, out.length, out.turning, &bad), SURFMINK_ANTIPODAL_CORNERS, i, (i + 1) % 5);
+        REFUSES(surfmink_area_sphere(corner, 5, 1.0, &out.mu[0]), SURFMINK_ANTIPODAL_CORNERS);
+    }
+    pentagon(SPHERE, corner);
+    for (i = 0; i < 5; ++i) {
+        double radius = i < 3 ? wrong_radius[i] : i == 3 ? infinite : nan_();
+        CASE("radius %g", radius);
+        BLAMES(surfmink_measure_sphere(corner, 5, radius, 3, out.mu, out.g, &out.w, &bad), SURFMINK_BAD_ARGUMENT, 5);
+        BLAMES(surfmink_edges_sphere(corner, 5, radius, out.length, out.turning, &bad), SURFMINK_BAD_ARGUMENT, 5);
+        REFUSES(surfmink_area_sphere(corner, 5, radius, &out.mu[0]), SURFMINK_BAD_ARGUMENT);
+        REFUSES(surfmink_sphere_log(corner, corner + 3, radius, out.vector), SURFMINK_BAD_ARGUMENT);
+        REFUSES(surfmink_sphere_exp(corner, corner + 3, radius, out.vector), SURFMINK_BAD_ARGUMENT);
+        REFUSES(surfmink_from_lonlat(10, 20, radius, out.vector), SURFMINK_BAD_ARGUMENT);
+    }
+}
+
+THEOREM(areas_say_what_is_wrong_with_corners_and_take_either_orientation)
+{
+    double corner[15];
+    size_t n;
+    for (n = 0; n < 3; ++n) {
+        pentagon(SPHERE, corner);
+        REFUSES(surfmink_area_plane(corner, n, &out.mu[0]), SURFMINK_TOO_FEW_CORNERS);
+        REFUSES(surfmink_area_sphere(corner, n, 1.0, &out.mu[0]), SURFMINK_TOO_FEW_CORNERS);
+    }
+    memcpy(corner + 3, corner, 3 * sizeof *corner);
+    REFUSES(surfmink_area_sphere(corner, 5, 1.0, &out.mu[0]), SURFMINK_COINCIDENT_CORNERS);
+    corner[4] = nan_();
+    REFUSES(surfmink_area_sphere(corner, 5, 1.0, &out.mu[0]), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_area_plane(corner, 5, &out.mu[0]), SURFMINK_NOT_FINITE);
+    pentagon(PLANE, corner);
+    memcpy(corner + 2, corner, 2 * sizeof *corner);
+    CHECK_OK(surfmink_area_plane(corner, 5, &out.mu[0])); /* in the plane coinciding corners enclose nothing */
+    surfmink_reverse(corner, 5, 2);
+    CHECK_OK(surfmink_area_plane(corner, 5, &out.mu[0]));
+    CHECK(out.mu[0] < 0);
+}
+
+THEOREM(normals_need_a_direction_that_no_edge_has)
+{
+    static const double tilt[2] = {0.5e-6, 2e-6}; /* refused within 1e-6 rad of the normal */
+    double corner[15], normal[15];
+    size_t i, k;
+    for (i = 0; i < 5; ++i) {
+        size_t next = (i + 1) % 5;
+        pentagon(EMBEDDED, corner);
+        memcpy(normal, corner, sizeof normal);
+        CASE("corner %d", (int)i);
+        normal[3 * i] = normal[3 * i + 1] = normal[3 * i + 2] = 0;
+        BLAMES(surfmink_measure_embedded(corner, normal, 5, 3, out.mu, out.g, &out.w, &bad), SURFMINK_ZERO_NORMAL, i);
+        BLAMES(surfmink_edges_embedded(corner, normal, 5, out.length, out.turning, &bad), SURFMINK_ZERO_NORMAL, i);
+        REFUSES(surfmink_frame_embedded(corner, normal, 5, i, out.vector), SURFMINK_ZERO_NORMAL);
+        normal[3 * i] = nan_();
+        BLAMES(surfmink_measure_embedded(corner, normal, 5, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE, i);
+        BLAMES(surfmink_edges_embedded(corner, normal, 5, out.length, out.turning, &bad), SURFMINK_NOT_FINITE, i);
+        REFUSES(surfmink_frame_embedded(corner, normal, 5, i, out.vector), SURFMINK_NOT_FINITE);
+        for (k = 0; k < 4; ++k) { /* a normal along the edge behind or before it, either way round */
+            size_t other = k % 2 ? next : (i + 4) % 5, j;
+            double edge[3], side[3], length;
+            int wide;
+            for (j = 0; j < 3; ++j) edge[j] = corner[3 * other + j] - corner[3 * i + j];
+            cross3(edge, corner + 3 * i, side);
+            length = sqrt(dot3(edge, edge) / dot3(side, side));
+            for (wide = 0; wide < 2; ++wide) {
+                for (j = 0; j < 3; ++j) normal[3 * i + j] = (edge[j] + tilt[wide] * length * side[j]) * (k < 2 ? 1 : -1);
+                CASE("corner %d, edge to %d, tilted by %g", (int)i, (int)other, tilt[wide]);
+                if (wide) CHECK_OK(surfmink_edges_embedded(corner, normal, 5, out.length, out.turning, &bad));
+                else {
+                    BLAMES_EITHER(surfmink_measure_embedded(corner, normal, 5, 3, out.mu, out.g, &out.w, &bad), SURFMINK_UPRIGHT_EDGE, i, other);
+                    BLAMES_EITHER(surfmink_edges_embedded(corner, normal, 5, out.length, out.turning, &bad), SURFMINK_UPRIGHT_EDGE, i, other);
+                    REFUSES(surfmink_frame_embedded(corner, normal, 5, k % 2 ? i : other, out.vector), SURFMINK_UPRIGHT_EDGE);
+                }
+            }
+        }
+    }
+    pentagon(EMBEDDED, corner); /* opposite normals at the two ends have no mean */
+    for (i = 0; i < 15; ++i) normal[i] = i % 3 == 2 ? (i == 2 ? -1 : 1) : 0;
+    REFUSES(surfmink_frame_embedded(corner, normal, 5, 0, out.vector), SURFMINK_ZERO_NORMAL);
+}
+
+THEOREM(too_much_curvature_is_named)
+{
+    static const double equator[12] = {1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0};
+    static const double up[3] = {0, 0, 1};
+    double flat[24], normal[24], radius = 1, scratch[8];
+    surfmink_surface sphere = surfmink_sphere(&radius);
+    size_t i;
+    BLAMES(surfmink_measure_sphere(equator, 4, 1.0, 3, out.mu, out.g, &out.w, &bad), SURFMINK_TOO_MUCH_CURVATURE, 4);
+    BLAMES(surfmink_measure_embedded(equator, equator, 4, 3, out.mu, out.g, &out.w, &bad), SURFMINK_TOO_MUCH_CURVATURE, 4);
+    BLAMES(surfmink_measure_surface(&sphere, equator, 4, scratch, 3, out.mu, out.g, &out.w, &bad), SURFMINK_TOO_MUCH_CURVATURE, 4);
+    /* A figure of eight has S = 0, which is all that an embedded surface can tell. */
+    for (i = 0; i < 8; ++i) {
+        double t = 2 * PI * ((double)i + 0.5) / 8;
+        flat[3 * i] = sin(t), flat[3 * i + 1] = sin(2 * t), flat[3 * i + 2] = 0;
+        memcpy(normal + 3 * i, up, sizeof up);
+    }
+    BLAMES(surfmink_measure_embedded(flat, normal, 8, 3, out.mu, out.g, &out.w, &bad), SURFMINK_TOO_MUCH_CURVATURE, 8);
+}
+
+/* --- callbacks that fail ---------------------------------------------------------------------------------------------- */
+
+typedef struct saboteur {
+    int calls, fails_at, status; /* fails with the status at that call, */
+    int lies;                    /* or says OK and returns nonsense */
+} saboteur;
+
+enum { TELLS_THE_TRUTH, NEGATIVE_LENGTH, LENGTH_NAN, LENGTH_INFINITE, NO_LENGTH, NO_DIRECTION, DIRECTION_NAN, DIRECTION_INFINITE, LIES };
+
+static int sabotaged_log(void *context, const double *x, const double *y, double *length, double direction[2])
+{
+    saboteur *s = (saboteur *)context;
+    int status = spinning_log(NULL, x, y, length, direction);
+    if (s->calls++ != s->fails_at) return status;
+    switch (s->lies) {
+    case NEGATIVE_LENGTH: *length = -1; break;
+    case LENGTH_NAN: *length = nan_(); break;
+    case LENGTH_INFINITE: *length = infinity_(); break;
+    case NO_LENGTH: *length = 0; break;
+    case NO_DIRECTION: direction[0] = direction[1] = 0; break;
+    case DIRECTION_NAN: direction[1] = nan_(); break;
+    case DIRECTION_INFINITE: direction[0] = infinity_(); break;
+    default: return s->status;
+    }
+    return SURFMINK_OK;
+}
+
+static int sabotaged_exp(void *context, const double *x, const double direction[2], double length, double *y)
+{
+    saboteur *s = (saboteur *)context;
+    int status = spinning_exp(NULL, x, direction, length, y);
+    if (s->calls++ != s->fails_at) return status;
+    if (s->lies) y[1] = s->lies % 2 ? nan_() : infinity_();
+    return s->lies ? SURFMINK_OK : s->status;
+}
+
+static surfmink_surface sabotaged(saboteur *s, int fails_at, int status, int lies)
+{
+    surfmink_surface surface;
+    s->calls = 0;
+    s->fails_at = fails_at;
+    s->status = status;
+    s->lies = lies;
+    surface.context = s;
+    surface.stride = 2;
+    surface.log = sabotaged_log;
+    surface.exp = sabotaged_exp;
+    return surface;
+}
+
+THEOREM(the_failure_of_a_callback_comes_back_with_its_name_and_corner)
+{
+    double corner[15], scratch[10];
+    surfmink_surface surface;
+    saboteur s;
+    int call, status;
+    pentagon(SURFACE, corner);
+    for (call = 0; call < 10; ++call) /* two calls a corner */
+        for (status = 1; status < 14; ++status) {
+            int named = status < 12 ? status : status == 12 ? 99 : -7, comes_back = status < 12 ? status : SURFMINK_CALLBACK_FAILED;
+            CASE("call %d says %d", call, named);
+            surface = sabotaged(&s, call, named, TELLS_THE_TRUTH);
+            BLAMES(surfmink_measure_surface(&surface, corner, 5, scratch, 3, out.mu, out.g, &out.w, &bad), comes_back, call / 2);
+            CHECK_EQUAL(s.calls, call + 1); /* nothing is asked after a failure */
+            surface = sabotaged(&s, call, named, TELLS_THE_TRUTH);
+            BLAMES(surfmink_edges_surface(&surface, corner, 5, scratch, out.length, out.turning, &bad), comes_back, call / 2);
+        }
+    surface = sabotaged(&s, 10, SURFMINK_CALLBACK_FAILED, TELLS_THE_TRUTH); /* ten calls are enough */
+    CHECK_OK(surfmink_measure_surface(&surface, corner, 5, scratch, 3, out.mu, out.g, &out.w, &bad));
+}
+
+THEOREM(nonsense_from_a_callback_is_not_believed)
+{
+    double corner[15], scratch[10];
+    surfmink_surface surface;
+    saboteur s;
+    int call, lies;
+    pentagon(SURFACE, corner);
+    for (call = 0; call < 10; ++call)
+        for (lies = 1; lies < LIES; ++lies) {
+            int want = lies == NO_LENGTH ? SURFMINK_COINCIDENT_CORNERS : SURFMINK_CALLBACK_FAILED;
+            CASE("call %d, lie %d", call, lies);
+            surface = sabotaged(&s, call, 0, lies);
+            BLAMES(surfmink_measure_surface(&surface, corner, 5, scratch, 3, out.mu, out.g, &out.w, &bad), want, call / 2);
+            surface = sabotaged(&s, call, 0, lies);
+            BLAMES(surfmink_edges_surface(&surface, corner, 5, scratch, out.length, out.turning, &bad), want, call / 2);
+        }
+}
+
+THEOREM(a_surface_needs_callbacks_and_a_stride)
+{
+    double corner[15], scratch[10];
+    surfmink_surface surface = spinning_plane();
+    pentagon(SURFACE, corner);
+    surface.exp = NULL; /* only building asks for it */
+    CHECK_OK(surfmink_measure_surface(&surface, corner, 5, scratch, 3, out.mu, out.g, &out.w, &bad));
+    REFUSES(surfmink_regular_polygon(&surface, corner, 1.0, 0.0, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_edge_points(&surface, corner, corner + 2, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    surface = spinning_plane();
+    surface.log = NULL;
+    CHECK_OK(surfmink_regular_polygon(&surface, corner, 1.0, 0.0, 3, out.vector));
+    BLAMES(surfmink_measure_surface(&surface, corner, 5, scratch, 3, out.mu, out.g, &out.w, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    BLAMES(surfmink_edges_surface(&surface, corner, 5, scratch, out.length, out.turning, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    REFUSES(surfmink_edge_points(&surface, corner, corner + 2, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    surface = spinning_plane();
+    surface.stride = 0;
+    BLAMES(surfmink_measure_surface(&surface, corner, 5, scratch, 3, out.mu, out.g, &out.w, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    BLAMES(surfmink_edges_surface(&surface, corner, 5, scratch, out.length, out.turning, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    REFUSES(surfmink_regular_polygon(&surface, corner, 1.0, 0.0, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_edge_points(&surface, corner, corner + 2, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    surface.stride = 17;
+    REFUSES(surfmink_regular_polygon(&surface, corner, 1.0, 0.0, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_edge_points(&surface, corner, corner + 2, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+}
+
+THEOREM(building_needs_a_size_and_fails_as_a_whole)
+{
+    static const double centre[2] = {0, 0}, other[2] = {1, 2};
+    surfmink_surface surface = spinning_plane();
+    saboteur s;
+    int call, status;
+    REFUSES(surfmink_regular_polygon(&surface, centre, 1.0, 0.0, 2, out.vector), SURFMINK_TOO_FEW_CORNERS);
+    REFUSES(surfmink_regular_polygon(&surface, centre, 0.0, 0.0, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_regular_polygon(&surface, centre, -1.0, 0.0, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_regular_polygon(&surface, centre, nan_(), 0.0, 3, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_regular_polygon(&surface, centre, 1.0, nan_(), 3, out.vector), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_regular_polygon(&surface, centre, 1.0, infinity_(), 3, out.vector), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_edge_points(&surface, centre, other, 0, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_edge_points(&surface, centre, centre, 3, out.vector), SURFMINK_COINCIDENT_CORNERS);
+    for (call = 0; call < 5; ++call) {
+        for (status = 1; status < 14; ++status) {
+            int named = status < 12 ? status : 99, comes_back = status < 12 ? status : SURFMINK_CALLBACK_FAILED;
+            CASE("call %d says %d", call, named);
+            surface = sabotaged(&s, call, named, TELLS_THE_TRUTH);
+            REFUSES(surfmink_regular_polygon(&surface, centre, 1.0, 0.0, 5, out.vector), comes_back);
+            surface = sabotaged(&s, call, named, TELLS_THE_TRUTH); /* one log and then four exp */
+            REFUSES(surfmink_edge_points(&surface, centre, other, 5, out.vector), comes_back);
+        }
+        surface = sabotaged(&s, call, 0, 1);
+        REFUSES(surfmink_regular_polygon(&surface, centre, 1.0, 0.0, 5, out.vector), SURFMINK_CALLBACK_FAILED);
+        surface = sabotaged(&s, call, 0, 2);
+        REFUSES(surfmink_regular_polygon(&surface, centre, 1.0, 0.0, 5, out.vector), SURFMINK_CALLBACK_FAILED);
+        surface = sabotaged(&s, call, 0, LENGTH_NAN);
+        REFUSES(surfmink_edge_points(&surface, centre, other, 5, out.vector), SURFMINK_CALLBACK_FAILED);
+    }
+}
+
+/* --- the later steps -------------------------------------------------------------------------------------------------- */
+
+THEOREM(totals_and_phases_refuse_what_no_outline_has)
+{
+    static const double l[4] = {1, 1, 1, 1}, a[4] = {1.5, 1.5, 1.5, 1.5}, away[4] = {-1.5, -1.5, -1.5, 1}, none[4] = {0, 0, 0, 0};
+    double length[4], turning[4], wrong[3], carried = 0;
+    size_t n, i;
+    int what, transport;
+    wrong[0] = nan_(), wrong[1] = infinity_(), wrong[2] = -infinity_();
+    for (n = 0; n < 3; ++n) {
+        REFUSES(surfmink_total(l, a, n, &out.w), SURFMINK_TOO_FEW_CORNERS);
+        REFUSES(surfmink_irreducible(l, a, n, 3, out.g), SURFMINK_TOO_FEW_CORNERS);
+        REFUSES(surfmink_irreducible_parallel(l, a, n, 0, 0.5, 3, out.g), SURFMINK_TOO_FEW_CORNERS);
+        for (transport = 0; transport < 3; ++transport) {
+            REFUSES(surfmink_phases(a, n, transport, out.turning), SURFMINK_TOO_FEW_CORNERS);
+            REFUSES(surfmink_transport_angle(a, n, 0, 1, transport, 0.0, out.mu), SURFMINK_TOO_FEW_CORNERS);
+        }
+    }
+    for (what = 0; what < 3; ++what)
+        for (i = 0; i < 4; ++i) {
+            memcpy(length, l, sizeof l);
+            memcpy(turning, a, sizeof a);
+            length[i] = turning[i] = wrong[what];
+            CASE("%g in place %d", wrong[what], (int)i);
+            REFUSES(surfmink_total(length, a, 4, &out.w), SURFMINK_NOT_FINITE);
+            REFUSES(surfmink_total(l, turning, 4, &out.w), SURFMINK_NOT_FINITE);
+            REFUSES(surfmink_irreducible(length, a, 4, 3, out.g), SURFMINK_NOT_FINITE);
+            REFUSES(surfmink_irreducible(l, turning, 4, 3, out.g), SURFMINK_NOT_FINITE);
+            REFUSES(surfmink_irreducible_parallel(length, a, 4, 0, 0.5, 3, out.g), SURFMINK_NOT_FINITE);
+            REFUSES(surfmink_irreducible_parallel(l, turning, 4, 0, 0.5, 3, out.g), SURFMINK_NOT_FINITE);
+            for (transport = 0; transport < 3; ++transport) {
+                REFUSES(surfmink_phases(turning, 4, transport, out.turning), SURFMINK_NOT_FINITE);
+                REFUSES(surfmink_transport_angle(turning, 4, 0, 1, transport, 0.0, out.mu), SURFMINK_NOT_FINITE);
+                REFUSES(surfmink_transport_angle(a, 4, 0, 1, transport, wrong[what], out.mu), SURFMINK_NOT_FINITE);
+            }
+        }
+    memcpy(length, l, sizeof l);
+    length[2] = -1;
+    REFUSES(surfmink_total(length, a, 4, &out.w), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_total(none, a, 4, &out.w), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_irreducible(length, a, 4, 3, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_irreducible(l, a, 4, -1, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_irreducible_parallel(length, a, 4, 0, 0.5, 3, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_irreducible_parallel(l, a, 4, 0, 0.5, -1, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_irreducible_parallel(l, a, 4, 4, 0.5, 3, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_irreducible_parallel(l, a, 4, 0, 1.0, 3, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_irreducible_parallel(l, a, 4, 0, -0.1, 3, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_irreducible_parallel(l, a, 4, 0, nan_(), 3, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_phases(a, 4, 3, out.turning), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_phases(a, 4, -1, out.turning), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_transport_angle(a, 4, 4, 1, SURFMINK_CORRECTED, 0.0, out.mu), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_transport_angle(a, 4, 0, 1, 3, 0.0, out.mu), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_total(l, away, 4, &out.w), SURFMINK_CLOCKWISE);
+    REFUSES(surfmink_total(l, none, 4, &out.w), SURFMINK_TOO_MUCH_CURVATURE);
+    for (transport = 0; transport < 3; ++transport) {
+        if (transport == SURFMINK_PARALLEL) { /* which needs no sum to divide by */
+            CHECK_OK(surfmink_phases(away, 4, transport, out.turning));
+            CHECK_OK(surfmink_transport_angle(none, 4, 0, 1, transport, 0.0, &carried));
+            continue;
+        }
+        REFUSES(surfmink_phases(away, 4, transport, out.turning), SURFMINK_CLOCKWISE);
+        REFUSES(surfmink_phases(none, 4, transport, out.turning), SURFMINK_TOO_MUCH_CURVATURE);
+        REFUSES(surfmink_transport_angle(away, 4, 0, 1, transport, 0.0, out.mu), SURFMINK_CLOCKWISE);
+        REFUSES(surfmink_transport_angle(none, 4, 0, 1, transport, 0.0, out.mu), SURFMINK_TOO_MUCH_CURVATURE);
+    }
+}
+
+THEOREM(a_total_turn_below_the_noise_is_no_turn)
+{
+    /* |S| < max(1e-12 sum |alpha|, 4 n eps): here sum |alpha| = 4, or nearly 0. */
+    static const double l[4] = {1, 1, 1, 1};
+    static const double sums[6] = {2e-12, 8e-12, 1e-313, 1e-15, 3e-15, 1e-14};
+    static const int big[6] = {1, 1, 1, 0, 0, 0}, is_noise[6] = {1, 0, 1, 1, 1, 0};
+    double turning[4];
+    int k;
+    for (k = 0; k < 6; ++k) {
+        turning[0] = turning[1] = big[k];
+        turning[2] = -big[k];
+        turning[3] = -big[k] + sums[k];
+        CASE("S = %g", sums[k]);
+        if (is_noise[k]) {
+            REFUSES(surfmink_total(l, turning, 4, &out.w), SURFMINK_TOO_MUCH_CURVATURE);
+            REFUSES(surfmink_phases(turning, 4, SURFMINK_CORRECTED, out.turning), SURFMINK_TOO_MUCH_CURVATURE);
+        } else {
+            CHECK_OK(surfmink_total(l, turning, 4, &out.w));
+            CHECK_OK(surfmink_phases(turning, 4, SURFMINK_CORRECTED, out.turning));
+        }
+        turning[3] = -big[k] - sums[k];
+        REFUSES(surfmink_total(l, turning, 4, &out.w), is_noise[k] ? SURFMINK_TOO_MUCH_CURVATURE : SURFMINK_CLOCKWISE);
+    }
+}
+
+THEOREM(vectors_are_carried_only_along_sound_edges)
+{
+    double corner[15], turning[5], length[5], vector[3] = {1, 0, 0};
+    pentagon(EMBEDDED, corner);
+    CHECK_OK(surfmink_edges_embedded(corner, corner, 5, length, turning, NULL));
+    CHECK_OK(surfmink_transport_vector(corner, corner, turning, 5, 0, 2, SURFMINK_CORRECTED, vector, out.vector));
+    REFUSES(surfmink_transport_vector(corner, corner, turning, 2, 0, 2, SURFMINK_CORRECTED, vector, out.vector), SURFMINK_TOO_FEW_CORNERS);
+    REFUSES(surfmink_transport_vector(corner, corner, turning, 5, 5, 2, SURFMINK_CORRECTED, vector, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_transport_vector(corner, corner, turning, 5, 0, 2, 7, vector, out.vector), SURFMINK_BAD_ARGUMENT);
+    vector[1] = nan_();
+    REFUSES(surfmink_transport_vector(corner, corner, turning, 5, 0, 2, SURFMINK_CORRECTED, vector, out.vector), SURFMINK_NOT_FINITE);
+    vector[1] = 0;
+    turning[3] = nan_();
+    REFUSES(surfmink_transport_vector(corner, corner, turning, 5, 0, 2, SURFMINK_PARALLEL, vector, out.vector), SURFMINK_NOT_FINITE);
+    turning[3] = -10;
+    REFUSES(surfmink_transport_vector(corner, corner, turning, 5, 0, 2, SURFMINK_CORRECTED, vector, out.vector), SURFMINK_CLOCKWISE);
+    memcpy(corner + 9, corner + 6, 3 * sizeof *corner); /* edge 2, where it arrives */
+    REFUSES(surfmink_transport_vector(corner, corner, turning, 5, 0, 2, SURFMINK_PARALLEL, vector, out.vector), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_transport_vector(corner, corner, turning, 5, 2, 2, SURFMINK_PARALLEL, vector, out.vector), SURFMINK_COINCIDENT_CORNERS);
+}
+
+THEOREM(tensors_and_spectra_refuse_ranks_that_do_not_exist)
+{
+    double g[8] = {4, 0, 1, 2, 3, 4, 1, 1}, tensor[4] = {1, 2, 3, 4}, vector[2] = {1, 0}, frame[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    size_t k;
+    REFUSES(surfmink_tensor(g, -1, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_tensor(g, 1001, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_trace_free(g, -1, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_trace_free(g, 1001, out.g), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_contract(tensor, 0, vector, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_contract(tensor, 1001, vector, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_spectrum(g, -1, out.mu, out.length, out.turning), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_angles(g, 0, 1, out.mu), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_angles(g, -1, 1, out.mu), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_eigenvectors(g, 0, 1, 0.0, frame, 2, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_eigenvectors(g, 2, 1, 0.0, frame, 1, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_eigenvectors(g, 2, 1, 0.0, frame, 4, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_eigenvectors(g, 2, 1, nan_(), frame, 2, out.vector), SURFMINK_NOT_FINITE);
+    for (k = 0; k < 6; ++k) {
+        double kept = frame[k];
+        frame[k] = infinity_();
+        REFUSES(surfmink_eigenvectors(g, 2, 1, 0.0, frame, 3, out.vector), SURFMINK_NOT_FINITE);
+        frame[k] = kept;
+    }
+    for (k = 0; k < 8; ++k) {
+        double kept = g[k];
+        g[k] = k % 2 ? nan_() : infinity_();
+        CASE("component %d", (int)k);
+        REFUSES(surfmink_spectrum(g, 3, out.mu, out.length, out.turning), SURFMINK_NOT_FINITE);
+        if (k / 2 > 0) {
+            REFUSES(surfmink_angles(g, (int)k / 2, 1, out.mu), SURFMINK_NOT_FINITE);
+            REFUSES(surfmink_eigenvectors(g, (int)k / 2, 1, 0.0, frame, 2, out.vector), SURFMINK_NOT_FINITE);
+        }
+        g[k] = kept;
+    }
+    g[0] = 0;
+    REFUSES(surfmink_spectrum(g, 3, out.mu, out.length, out.turning), SURFMINK_BAD_ARGUMENT);
+    g[0] = -1;
+    REFUSES(surfmink_spectrum(g, 3, out.mu, out.length, out.turning), SURFMINK_BAD_ARGUMENT);
+}
+
+THEOREM(frames_refuse_edges_that_have_none)
+{
+    double flat[10], space[15];
+    pentagon(PLANE, flat);
+    pentagon(EMBEDDED, space);
+    REFUSES(surfmink_frame_plane(flat, 2, 0, out.vector), SURFMINK_TOO_FEW_CORNERS);
+    REFUSES(surfmink_frame_embedded(space, space, 2, 0, out.vector), SURFMINK_TOO_FEW_CORNERS);
+    REFUSES(surfmink_frame_plane(flat, 5, 5, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_frame_embedded(space, space, 5, 5, out.vector), SURFMINK_BAD_ARGUMENT);
+    memcpy(flat + 2, flat, 2 * sizeof *flat);
+    memcpy(space + 3, space, 3 * sizeof *space);
+    REFUSES(surfmink_frame_plane(flat, 5, 0, out.vector), SURFMINK_COINCIDENT_CORNERS);
+    REFUSES(surfmink_frame_embedded(space, space, 5, 0, out.vector), SURFMINK_COINCIDENT_CORNERS);
+    CHECK_OK(surfmink_frame_plane(flat, 5, 2, out.vector)); /* other edges are not asked */
+    CHECK_OK(surfmink_frame_embedded(space, space, 5, 2, out.vector));
+    flat[1] = nan_();
+    space[1] = nan_();
+    REFUSES(surfmink_frame_plane(flat, 5, 4, out.vector), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_frame_embedded(space, space, 5, 4, out.vector), SURFMINK_NOT_FINITE);
+}
+
+THEOREM(points_of_the_sphere_refuse_what_is_none)
+{
+    double x[3] = {0, 0, 2}, y[3] = {1, 0, 0}, opposite[3] = {0, 0, -5}, zero[3] = {0, 0, 0}, wrong[3] = {0, 0, 1};
+    size_t k;
+    REFUSES(surfmink_sphere_log(x, opposite, 1.0, out.vector), SURFMINK_ANTIPODAL_CORNERS);
+    REFUSES(surfmink_sphere_log(zero, y, 1.0, out.vector), SURFMINK_ZERO_NORMAL);
+    REFUSES(surfmink_sphere_log(x, zero, 1.0, out.vector), SURFMINK_ZERO_NORMAL);
+    REFUSES(surfmink_sphere_exp(zero, y, 1.0, out.vector), SURFMINK_ZERO_NORMAL);
+    for (k = 0; k < 3; ++k) {
+        double kept = wrong[k];
+        wrong[k] = k % 2 ? nan_() : infinity_();
+        REFUSES(surfmink_sphere_log(wrong, y, 1.0, out.vector), SURFMINK_NOT_FINITE);
+        REFUSES(surfmink_sphere_log(y, wrong, 1.0, out.vector), SURFMINK_NOT_FINITE);
+        REFUSES(surfmink_sphere_exp(wrong, y, 1.0, out.vector), SURFMINK_NOT_FINITE);
+        REFUSES(surfmink_sphere_exp(y, wrong, 1.0, out.vector), SURFMINK_NOT_FINITE);
+        wrong[k] = kept;
+    }
+    REFUSES(surfmink_from_lonlat(nan_(), 0, 1.0, out.vector), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_from_lonlat(0, infinity_(), 1.0, out.vector), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_from_lonlat(1.1e6, 0, 1.0, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_from_lonlat(-1.1e6, 0, 1.0, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_from_lonlat(0, 90.001, 1.0, out.vector), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_from_lonlat(0, -90.001, 1.0, out.vector), SURFMINK_BAD_ARGUMENT);
+    CHECK_OK(surfmink_from_lonlat(1e6, 90, 1.0, out.vector));
+    CHECK_OK(surfmink_from_lonlat(-1e6, -90, 1.0, out.vector));
+}
+
+/* --- whatever is drawn ------------------------------------------------------------------------------------------------ */
+
+/* Numbers that break programs, and ordinary ones, so that outlines are refused for many reasons and often not at all. */
+static double any_number(chance *c)
+{
+    static const double odd[16] = {0.0, -0.0, 1, -1, 2, 1e-9, 1e-160, 1e160, -1e160, 1e300, -1e300, 1e-300, DBL_MIN, DBL_MAX, -DBL_MAX, 5e-324};
+    size_t k = one_of(c, 48);
+    if (k < 16) return odd[k];
+    if (k == 16) return nan_();
+    if (k == 17) return infinity_();
+    if (k == 18) return -infinity_();
+    if (k < 24) return floor(between(c, -3, 3));
+    return between(c, -3, 3);
+}
+
+static int all_finite(const double *x, size_t count)
+{
+    while (count-- > 0)
+        if (!isfinite(x[count])) return 0;
+    return 1;
+}
+
+/* An outline is measured with finite numbers, or refused with a corner (or n) to blame and nothing else written. */
+static void sound(int status, size_t n, int ranks, int edge_arrays)
+{
+    if (status != SURFMINK_OK) {
+        CHECK(memcmp(&out, &untouched, sizeof out) == 0);
+        CHECK(bad <= n);
+        CHECK(strlen(surfmink_status_name(status)) > 0);
+        return;
+    }
+    CHECK_EQUAL(bad, NOBODY);
+    if (edge_arrays) {
+        CHECK(all_finite(out.length, n));
+        CHECK(all_finite(out.turning, n));
+        return;
+    }
+    CHECK(all_finite(out.mu, (size_t)ranks + 1));
+    CHECK(all_finite(out.g, 2 * (size_t)ranks + 2));
+    CHECK(all_finite(&out.w.area, 1) && all_finite(&out.w.length, 1) && all_finite(&out.w.turning, 1));
+    CHECK(all_finite(&out.w.curvature, 1) && out.w.condition > 0.99 && out.w.length > 0 && out.w.turning > 0);
+    while (ranks > 0) CHECK(out.mu[ranks] >= 0 && out.mu[ranks] <= 1 + 1e-12), --ranks;
+}
+
+THEOREM(whatever_is_drawn_is_measured_in_finite_numbers_or_refused_and_nothing_written)
+{
+    chance c = {91};
+    double corner[3 * 8], normal[3 * 8], scratch[2 * 8], radius;
+    surfmink_surface sphere = surfmink_sphere(&radius), plane = spinning_plane();
+    long seen[12] = {0};
+    int trial, status, round;
+    for (trial = 0; trial < 12000; ++trial) {
+        size_t n = 2 + one_of(&c, 6), k;
+        size_t one_in = trial % 3 ? 30 : 1; /* how many of the numbers are odd */
+        for (k = 0; k < 3 * n; ++k) {
+            corner[k] = one_of(&c, one_in) ? between(&c, -3, 3) : any_number(&c);
+            normal[k] = one_of(&c, one_in) ? between(&c, -3, 3) : any_number(&c);
+        }
+        radius = one_of(&c, 4) ? 1 : any_number(&c);
+        CASE("trial %d", trial);
+        for (round = 0; round < 8; ++round) {
+            fill();
+            switch (round) {
+            case 0: status = surfmink_measure_plane(corner, n, 5, out.mu, out.g, &out.w, &bad); break;
+            case 1: status = surfmink_measure_sphere(corner, n, radius, 5, out.mu, out.g, &out.w, &bad); break;
+            case 2: status = surfmink_measure_embedded(corner, normal, n, 5, out.mu, out.g, &out.w, &bad); break;
+            case 3: status = surfmink_measure_surface(&plane, corner, n, scratch, 5, out.mu, out.g, &out.w, &bad); break;
+            case 4: status = surfmink_edges_plane(corner, n, out.length, out.turning, &bad); break;
+            case 5: status = surfmink_edges_sphere(corner, n, radius, out.length, out.turning, &bad); break;
+            case 6: status = surfmink_edges_embedded(corner, normal, n, out.length, out.turning, &bad); break;
+            default: status = surfmink_edges_surface(&sphere, corner, n, scratch, out.length, out.turning, &bad); break;
+            }
+            sound(status, n, 5, round >= 4);
+            if (status >= 0 && status < 12) ++seen[status];
+        }
+        fill();
+        status = surfmink_area_sphere(corner, n, radius, out.mu);
+        if (status) CHECK(memcmp(&out, &untouched, sizeof out) == 0);
+        else CHECK(isfinite(out.mu[0]));
+        fill();
+        status = surfmink_area_plane(corner, n, out.mu);
+        if (status) CHECK(memcmp(&out, &untouched, sizeof out) == 0);
+        else CHECK(isfinite(out.mu[0]));
+        fill();
+        status = surfmink_sphere_log(corner, normal, radius, out.vector);
+        if (status) CHECK(memcmp(&out, &untouched, sizeof out) == 0);
+        else CHECK(all_finite(out.vector, 3));
+        fill();
+        status = surfmink_sphere_exp(corner, normal, radius, out.vector);
+        if (status) CHECK(memcmp(&out, &untouched, sizeof out) == 0);
+        else CHECK(all_finite(out.vector, 3));
+        fill();
+        status = surfmink_frame_embedded(corner, normal, n, 1, out.vector);
+        if (status) CHECK(memcmp(&out, &untouched, sizeof out) == 0);
+        else CHECK(all_finite(out.vector, 9));
+        fill();
+        status = surfmink_irreducible(corner, normal, n, 5, out.g);
+        if (status) CHECK(memcmp(&out, &untouched, sizeof out) == 0);
+        else CHECK(all_finite(out.g, 12));
+    }
+    CASE("all together");
+    for (status = SURFMINK_OK; status < SURFMINK_CALLBACK_FAILED; ++status) {
+        CASE("%s was seen %ld times", surfmink_status_name(status), seen[status]);
+        if (status != SURFMINK_UPRIGHT_EDGE && status != SURFMINK_ANTIPODAL_CORNERS) CHECK(seen[status] > 0);
+    }
+}
+
+int main(void)
+{
+    PROVE(every_status_has_its_own_sentence_and_word);
+    PROVE(fewer_than_three_corners_are_too_few);
+    PROVE(a_corner_that_is_not_finite_is_blamed);
+    PROVE(neighbours_that_coincide_are_blamed);
+    PROVE(corners_may_meet_again_if_they_are_not_neighbours);
+    PROVE(clockwise_outlines_are_named);
+    PROVE(a_rank_is_not_negative);
+    PROVE(the_blame_may_be_left_out);
+    PROVE(what_overflows_is_not_finite);
+    PROVE(a_sphere_has_a_centre_antipodes_and_a_positive_radius);
+    PROVE(areas_say_what_is_wrong_with_corners_and_take_either_orientation);
+    PROVE(normals_need_a_direction_that_no_edge_has);
+    PROVE(too_much_curvature_is_named);
+    PROVE(the_failure_of_a_callback_comes_back_with_its_name_and_corner);
+    PROVE(nonsense_from_a_callback_is_not_believed);
+    PROVE(a_surface_needs_callbacks_and_a_stride);
+    PROVE(building_needs_a_size_and_fails_as_a_whole);
+    PROVE(totals_and_phases_refuse_what_no_outline_has);
+    PROVE(a_total_turn_below_the_noise_is_no_turn);
+    PROVE(vectors_are_carried_only_along_sound_edges);
+    PROVE(tensors_and_spectra_refuse_ranks_that_do_not_exist);
+    PROVE(frames_refuse_edges_that_have_none);
+    PROVE(points_of_the_sphere_refuse_what_is_none);
+    PROVE(whatever_is_drawn_is_measured_in_finite_numbers_or_refused_and_nothing_written);
+    return QED();
+}
