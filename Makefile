@@ -2,6 +2,7 @@
 #
 #   make            the commands: .build/surfmink, .build/levelset, .build/tissue
 #   make demo       measures countries, the H3 grid and a tissue; pictures in .build/demo/
+#   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make test       all tests; needs cc and make, nothing else
 #   make check      compilers, dialects, warnings, sanitizers; needs what .ci/run installs
 #   make install    header, pkg-config file and commands; PREFIX=/usr/local, DESTDIR= for packagers
@@ -17,6 +18,7 @@ BUILD = .build
 VERSION := $(shell sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
 
 commands = surfmink levelset tissue
+experiments = $(patsubst examples/paper/%.c,$(BUILD)/paper_%,$(wildcard examples/paper/*.c))
 theorems = $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/test_*.c))
 headers = surfmink.h $(wildcard examples/*.h examples/*/*.h tests/*.h)
 
@@ -30,8 +32,16 @@ $(BUILD)/test_%: tests/test_%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
+$(BUILD)/paper_%: examples/paper/%.c $(headers)
+	@mkdir -p $(@D)
+	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
+
 demo: $(BUILD)/surfmink
 	@sh examples/demo.sh $(BUILD)/surfmink $(BUILD)/demo
+
+paper: $(experiments)
+	@mkdir -p $(BUILD)/paper
+	@status=0; for experiment in $(experiments); do $$experiment $(BUILD)/paper || status=1; done; exit $$status
 
 test: all $(theorems)
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
@@ -53,4 +63,4 @@ install: $(BUILD)/surfmink $(BUILD)/levelset
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo test check install clean
+.PHONY: all demo paper test check install clean

@@ -1,6 +1,6 @@
 #!/bin/sh
-# demo.sh SURFMINK DIRECTORY: three real inputs, measured by the command; what to look for is printed beside the numbers.
-# The pictures go to DIRECTORY.
+# demo.sh SURFMINK DIRECTORY: three real inputs, measured by the command; what to look for is printed beside the
+# numbers. The pictures go to DIRECTORY.
 surfmink=$1 pictures=$2 data=$(dirname "$0")/data
 mkdir -p "$pictures" || exit 1
 table=$(mktemp) flat=$(mktemp)
@@ -23,11 +23,13 @@ awk "$columns"'
     FNR > 1 && $at["status"] == "ok" {
         if (lowest == "" || $at["mu_2"] < low) { low = $at["mu_2"]; lowest = $at["id"] }
         if ($at["mu_2"] > high) { high = $at["mu_2"]; highest = $at["id"] } }
-    END { printf "   least elongated: %s, mu_2 = %.3f\n   most elongated:  %s, mu_2 = %.3f\n\n", lowest, low, highest, high }' "$table"
+    END { printf "   least elongated: %s, mu_2 = %.3f\n", lowest, low
+          printf "   most elongated:  %s, mu_2 = %.3f\n\n", highest, high }' "$table"
 
 echo "3. A curved tissue: does a cell look elongated because it is, or because it is tilted?"
 "$surfmink" --svg "$pictures/tissue.svg" --color-by mu_6 --view 0,0,1 "$data/tissue.tsv" > "$table" || exit 1
-# What a microscope sees from above: x and y of the cells whose normals point up (those that fold over at the rim are refused).
+# What a microscope sees from above: x and y of the cells whose normals point up. (Those that fold over at the rim are
+# refused.)
 "$surfmink" --quiet --surface plane "$data/tissue.tsv" > "$flat"
 awk "$columns"'
     FILENAME == ARGV[1] { if (/^#/ || $1 == "cell") next; up[$1] += $7; corners[$1]++; next }
@@ -39,11 +41,13 @@ awk "$columns"'
         print bin, surface[$at["id"]], $at["mu_2"] }' "$data/tissue.tsv" "$table" "$flat" |
     sort -n -k1,1 | awk '
     function median(v, n,    i, j, t) {
-        for (i = 2; i <= n; i++) for (j = i; j > 1 && v[j - 1] > v[j]; j--) { t = v[j]; v[j] = v[j - 1]; v[j - 1] = t }
+        for (i = 2; i <= n; i++)
+            for (j = i; j > 1 && v[j - 1] > v[j]; j--) { t = v[j]; v[j] = v[j - 1]; v[j - 1] = t }
         return n % 2 ? v[(n + 1) / 2] : (v[n / 2] + v[n / 2 + 1]) / 2 }
     function show() { printf "   %-16s %5d %12.3f %12.3f\n", name[bin], n, median(s, n), median(f, n); n = 0 }
-    BEGIN { name[1] = "0.9 to 1, flat"; name[2] = "0.7 to 0.9"; name[3] = "0.5 to 0.7"; name[4] = "0.3 to 0.5"; name[5] = "below 0.3, steep"
-            printf "   median mu_2 by the cosine of the tilt:\n   %-16s %5s %12s %12s\n", "", "cells", "on surface", "projected" }
+    BEGIN { split("0.9 to 1, flat;0.7 to 0.9;0.5 to 0.7;0.3 to 0.5;below 0.3, steep", name, ";")
+            print "   median mu_2 by the cosine of the tilt:"
+            printf "   %-16s %5s %12s %12s\n", "", "cells", "on surface", "projected" }
     $1 != bin && n { show() }
     { bin = $1; s[++n] = $2; f[n] = $3 }
     END { show() }'

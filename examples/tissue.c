@@ -25,7 +25,7 @@
 #include <string.h>
 
 #define MAX_CELLS 10000
-#define MAX_RING 64 /* corners of one cell; 13 was the most among 120000 unrelaxed cells */
+#define MAX_RING  64 /* corners of one cell; 13 was the most among 120000 unrelaxed cells */
 #define MAX_REACH 160
 
 typedef struct { /* a corner and the three cells around it, counter-clockwise */
@@ -39,7 +39,10 @@ static int cells = 400;
 static corner_t corner[2 * MAX_CELLS];
 static int corners;
 
-static double dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static void cross(const double *a, const double *b, double *out)
 {
@@ -177,9 +180,11 @@ static int find_corners(int reach)
                 corner_t found;
                 if (!(i < near[a] && near[a] < near[b])) continue;
                 if (!equidistant_point(i, near[a], near[b], &found)) continue;
-                for (m = 0; m < count && !is_nearer(near[m], &found); ++m) {} /* most triples fail at once */
+                for (m = 0; m < count && !is_nearer(near[m], &found); ++m) {
+                } /* most triples fail at once */
                 if (m < count) continue;
-                for (m = 0; m < cells && !is_nearer(m, &found); ++m) {}
+                for (m = 0; m < cells && !is_nearer(m, &found); ++m) {
+                }
                 if (m < cells) continue;
                 if (corners == 2 * cells - 4) return 0;
                 corner[corners++] = found;
@@ -208,7 +213,8 @@ static int ring_of(int i, const corner_t **ring)
     do {
         int next;
         ring[n++] = mine[at];
-        for (next = 0; next < count && in[next] != out[at]; ++next) {}
+        for (next = 0; next < count && in[next] != out[at]; ++next) {
+        }
         if (next == count) return 0;
         at = next;
     } while (at != 0 && n < count);
@@ -279,15 +285,14 @@ static void print_cells(void)
     }
 }
 
-static const char help[] =
-    "tissue > tissue.tsv\n"
-    "    400 cells on an ellipsoid, as a table: cell, corner x y z, outer normal nx ny nz\n"
-    "\n"
-    "  --cells N      how many cells, 12 to 10000 (400)\n"
-    "  --seed S       another tissue for each whole number S (1)\n"
-    "  --axes A,B,C   semi-axes along x, y, z in micrometres, 1 to 1000000 (110,50,40)\n"
-    "  --relax K      how often cells even out, 0 (wild) to 1000 (honeycomb) (3)\n"
-    "  --help         this text\n";
+static const char help[] = "tissue > tissue.tsv\n"
+                           "    400 cells on an ellipsoid, as a table: cell, corner x y z, outer normal nx ny nz\n"
+                           "\n"
+                           "  --cells N      how many cells, 12 to 10000 (400)\n"
+                           "  --seed S       another tissue for each whole number S (1)\n"
+                           "  --axes A,B,C   semi-axes along x, y, z in micrometres, 1 to 1000000 (110,50,40)\n"
+                           "  --relax K      how often cells even out, 0 (wild) to 1000 (honeycomb) (3)\n"
+                           "  --help         this text\n";
 
 /* Says what is wrong with the command line, and leaves. */
 static void refuse(const char *option, const char *problem)
@@ -347,10 +352,11 @@ int main(int argc, char **argv)
         if (r < rounds) relax();
     }
 
-    printf("# synthetic tissue: %d Voronoi cells on an ellipsoid, corners and outer normals, in micrometres; licence CC0\n",
+    printf("# synthetic tissue: %d Voronoi cells on an ellipsoid, corners and outer normals, in micrometres; licence "
+           "CC0\n",
            cells);
-    printf("# made by: tissue --cells %d --seed %lu --axes %.15g,%.15g,%.15g --relax %lu\n",
-           cells, start, axis[0], axis[1], axis[2], rounds);
+    printf("# made by: tissue --cells %d --seed %lu --axes %.15g,%.15g,%.15g --relax %lu\n", cells, start, axis[0],
+           axis[1], axis[2], rounds);
     printf("# counter-clockwise about the outer normal; neighbouring cells share their corners to the last digit\n");
     print_cells();
     if (fflush(stdout) || ferror(stdout)) {

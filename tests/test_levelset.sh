@@ -160,6 +160,10 @@ check "a note on it" "$(sed -n 2p out)" "# level 1: loops 0, area 0, open curves
 run oct.off z.txt --at 0.1 --at 0.1234567890123456 --at 1e-300
 check "levels come back as they went in, without noise" "$(awk '/^[0-9]/ { print $2 }' out | uniq | tr '\n' ' ')" \
     "0.1 0.1234567890123456 1e-300 "
+odd=$(printf 'two\nlines.txt')
+cp z.txt "$odd"
+run oct.off "$odd" --at 0.5
+check "a file name cannot break the table" "$(grep -v '^#' out)" "$(grep -v '^#' expected)"
 run oct.off z.txt --at 5
 check "a level above all" "$status $(rows out)" "0 0"
 measure

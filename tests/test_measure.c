@@ -46,6 +46,31 @@ THEOREM(the_octant_of_a_sphere_has_three_right_angles)
     CHECK_CLOSE(area, 4 * PI * 9 / 8, 3e-16);
 }
 
+/* Corners at 0, e and 2 e + t e', where e' is e turned by a right angle, turn by atan t. They are exact; so is e x (out - in), while
+   e x out would leave 1e-7 of that turn. Long smooth outlines consist of such corners. */
+THEOREM(a_nearly_straight_corner_between_equal_edges_turns_by_its_small_angle_to_all_digits)
+{
+    static const double x[3] = {1, 2, 2}, y[3] = {2, 1, -2}; /* orthogonal, and to their normal, and all of length 3 */
+    static const double normal[9] = {-2, 2, -1, -2, 2, -1, -2, 2, -1};
+    chance c = {18};
+    double flat[6] = {0}, space[9] = {0}, length[3], turning[3];
+    int trial, k;
+    for (trial = 0; trial < 300; ++trial) {
+        double a = floor(between(&c, 1e5, 2.5e5)), b = floor(between(&c, 1e5, 2.5e5)), t = power_of_two(-30);
+        if (trial % 2) t = -t;
+        flat[2] = a, flat[3] = b, flat[4] = 2 * a - t * b, flat[5] = 2 * b + t * a;
+        for (k = 0; k < 3; ++k) {
+            space[3 + k] = flat[2] * x[k] + flat[3] * y[k];
+            space[6 + k] = flat[4] * x[k] + flat[5] * y[k];
+        }
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_plane(flat, 3, length, turning, NULL));
+        CHECK_CLOSE(turning[1], atan(t), 1e-15);
+        CHECK_OK(surfmink_edges_embedded(space, normal, 3, length, turning, NULL));
+        CHECK_CLOSE(turning[1], atan(t), 2e-15);
+    }
+}
+
 /* --- the same lengths and angles found another way ------------------------------------------------------------------ */
 
 THEOREM(in_the_plane_a_turn_is_the_difference_of_two_edge_directions)
@@ -556,6 +581,52 @@ THEOREM(a_whisker_that_sticks_out_is_measured_and_one_that_sticks_in_is_refused)
     both_say(corner, 6, SURFMINK_CROSSES_ITSELF);
 }
 
+THEOREM(a_whisker_turns_by_plus_pi_wherever_it_points)
+{
+    /* There and back again, exactly: the sine of that turn is a zero whose sign depends on the direction and on the normal. */
+    static const double square[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
+    chance c = {19};
+    double xy[12], xyz[18], length[6], turning[6], scratch[12], radius = 1;
+    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_functionals w;
+    int trial;
+    for (trial = 0; trial < 500; ++trial) {
+        size_t i;
+        memcpy(xy, square, sizeof square);
+        xy[8] = xy[4], xy[9] = xy[5], xy[10] = xy[6], xy[11] = xy[7];
+        xy[6] = between(&c, 1.1, 3), xy[7] = between(&c, 1.1, 3);
+        onto_sphere(xy, 6, 0.3, xyz);
+        if (trial < 8) for (i = 0; i < 18; ++i) xyz[i] *= trial >> i % 3 & 1 ? -1 : 1; /* the eight octants, mirrored as need be */
+        else turn_somehow(&c, xyz, 6);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_plane(xy, 6, length, turning, NULL));
+        CHECK_NEAR(turning[3], PI, 0);
+        CHECK_OK(surfmink_edges_sphere(xyz, 6, 1.0, length, turning, NULL));
+        CHECK_NEAR(turning[3], PI, 0);
+        CHECK_OK(surfmink_edges_embedded(xyz, xyz, 6, length, turning, NULL));
+        CHECK_NEAR(turning[3], PI, 0);
+        CHECK_OK(surfmink_edges_surface(&sphere, xyz, 6, scratch, length, turning, NULL));
+        CHECK_NEAR(turning[3], PI, 0);
+        CHECK_OK(surfmink_measure_plane(xy, 6, 2, NULL, NULL, &w, NULL));
+        if (trial >= 8) CHECK_OK(surfmink_measure_sphere(xyz, 6, 1.0, 2, NULL, NULL, &w, NULL));
+    }
+}
+
+THEOREM(a_notch_is_no_spike_however_thin)
+{
+    double corner[14] = {-1, -1, 1, -1, 1, 1, 0, 1, 0, 0, 0, 1, -1, 1}, length[7], turning[7], width;
+    surfmink_functionals w;
+    for (width = 0.1; width > 4e-15; width /= 3) {
+        corner[6] = width, corner[10] = -width;
+        CASE("width %g", width);
+        CHECK_OK(surfmink_edges_plane(corner, 7, length, turning, NULL));
+        CHECK_NEAR(turning[4], 2 * atan(width) - PI, 5e-16);
+        CHECK_OK(surfmink_measure_plane(corner, 7, 2, NULL, NULL, &w, NULL));
+        CHECK_NEAR(w.turning, 2 * PI, 2e-15);
+        CHECK_NEAR(w.area, 4 - width, 2e-15);
+    }
+}
+
 THEOREM(every_output_of_the_easy_calls_may_be_left_out)
 {
     static const double octant[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0}, triangle[6] = {0, 0, 4, 0, 4, 3};
@@ -578,6 +649,7 @@ int main(void)
     PROVE(edge_i_leaves_corner_i_and_turning_i_is_the_turn_at_corner_i);
     PROVE(a_turn_to_the_inside_is_positive_and_a_dent_is_negative);
     PROVE(the_octant_of_a_sphere_has_three_right_angles);
+    PROVE(a_nearly_straight_corner_between_equal_edges_turns_by_its_small_angle_to_all_digits);
     PROVE(in_the_plane_a_turn_is_the_difference_of_two_edge_directions);
     PROVE(on_the_sphere_edges_are_great_circles);
     PROVE(the_sphere_is_an_embedded_surface_whose_normals_are_its_corners);
@@ -600,6 +672,8 @@ int main(void)
     PROVE(clockwise_outlines_are_refused);
     PROVE(more_than_a_hemisphere_is_clockwise_and_a_great_circle_is_neither);
     PROVE(a_whisker_that_sticks_out_is_measured_and_one_that_sticks_in_is_refused);
+    PROVE(a_whisker_turns_by_plus_pi_wherever_it_points);
+    PROVE(a_notch_is_no_spike_however_thin);
     PROVE(every_output_of_the_easy_calls_may_be_left_out);
     return QED();
 }

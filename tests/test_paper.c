@@ -308,8 +308,8 @@ static void measure_disturbed(enum partition kind, int chance, double tilt, int 
     }
 }
 
-/* Paper 4.3 and Corollary 4.11, what a mesh gives: points of order h^2, normals of order h. Order 1 is proved, and there
-   is no more of it. */
+/* Paper 4.3 and Corollary 4.11, what a mesh gives: points of order h^2, normals of order h. Order 1 is proved, and
+   there is no more of it. */
 THEOREM(with_points_of_order_h2_and_normals_of_order_h_the_order_is_one)
 {
     errors off[LEVELS];

@@ -24,7 +24,7 @@
 
 enum edges { GREAT_CIRCLES, CHORDS, GEODESICS };
 
-/* G_BEFORE: section 4.2 to the letter, which pairs rightly but reads at the edge before corner 0. No reference has it. */
+/* G_BEFORE: section 4.2 to the letter, which pairs rightly but reads at the edge before corner 0. */
 enum column { LENGTH, KAPPA, F_LAG, G_LAG, F, G, G_MIDDLE, MU, COLUMNS, G_BEFORE = COLUMNS, ALL_COLUMNS };
 static const char *const heading[COLUMNS] = {"|L-L_q|", "|k-k_q|", "f, lag",    "g, lag /4",
                                              "f",       "g",       "g, middle", "mu_3"};
@@ -283,7 +283,13 @@ int main(int argc, char **argv)
     compare_printed(&e, "table2_printed.tsv", chords, table2, name2, 3);
 
     puts(
-        "Table 1 put right: great circles on the unit sphere. \"g, middle\" reads directions at the middle of edge 0.");
+        "Could Table 2 be section 4.2 to the letter, whose lengths |x_i - x_(i-1)| go with its phases? |g - g_q| / 4:");
+    for (level = 0; level < LEVELS; level += 2)
+        printf("%5d  to the letter %.1e  one corner late %.1e\n", 4 << level, chords[level][G_BEFORE],
+               chords[level][G_LAG]);
+    puts("No: q = 4 and 16 are printed as 2.0e-02 and 3.3e-02.\n");
+
+    puts("Table 1 put right: great circles on the unit sphere; \"g, middle\" is read at the middle of edge 0.");
     print_errors(&e, "sphere_great_circles", great_circles);
     compare_errors(&e, "table1_reference.tsv", great_circles, 0);
     puts("\nWhat the caption of Table 1 describes: geodesics on the ellipsoid.");
