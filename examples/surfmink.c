@@ -1,15 +1,15 @@
 /* surfmink.c - the command `surfmink`: a table or a mesh of outlines in, a table of their p-fold symmetry out.
 
-   compile   cc surfmink.c -o surfmink -lm
-   run       ./surfmink data/countries.tsv
+   compile   cc examples/surfmink.c -o surfmink -lm
+   run       ./surfmink examples/data/countries.tsv
              ./surfmink --help
 
    It is a filter, one polygon at a time:
-     0 options  what the user asked for                          command/options.h
-     1 read     a file -> lines -> polygons                      command/lines.h table.h mesh.h read.h
-     2 measure  a polygon -> repaired -> L, S, area, g, mu, theta   command/measure.h
-     3 write    -> one line of a table, or a JSON object          command/write.h
-     4 at the end, if asked for: a summary, a picture            command/summary.h picture.h svg.h */
+     0 options  what the user asked for                            command/options.h
+     1 read     a file -> lines -> polygons                        command/lines.h table.h mesh.h read.h
+     2 measure  a polygon -> repaired -> L, S, area, mu, theta     command/measure.h
+     3 write    -> one line of a table, or a JSON object           command/write.h
+     4 at the end, if asked for: a summary, a picture              command/summary.h picture.h horizon.h svg.h */
 
 /* Only for isatty, which tells a terminal from a file. Elsewhere the command does without a progress line. */
 #if (defined(__unix__) || defined(__APPLE__)) && !defined(_POSIX_C_SOURCE)

@@ -17,15 +17,15 @@
 #include <string.h>
 
 #define THEOREM(name) static void name(void)
-#define PROVE(name) harness_prove(name, #name)
-#define QED() harness_qed()
+#define PROVE(name)   harness_prove(name, #name)
+#define QED()         harness_qed()
 
-#define CHECK(claim) harness_true((claim) ? 1 : 0, #claim, __FILE__, __LINE__)
-#define CHECK_EQUAL(got, want) harness_equal((long long)(got), (long long)(want), #got, __FILE__, __LINE__)
+#define CHECK(claim)            harness_true((claim) ? 1 : 0, #claim, __FILE__, __LINE__)
+#define CHECK_EQUAL(got, want)  harness_equal((long long)(got), (long long)(want), #got, __FILE__, __LINE__)
 #define CHECK_STATUS(got, want) harness_status((got), (want), #got, __FILE__, __LINE__)
-#define CHECK_OK(got) CHECK_STATUS(got, SURFMINK_OK)
+#define CHECK_OK(got)           CHECK_STATUS(got, SURFMINK_OK)
 /* Absolute, relative, and modulo 2 pi. A NaN is never near anything. */
-#define CHECK_NEAR(got, want, within) harness_near((got), (want), (within), 0, #got, __FILE__, __LINE__)
+#define CHECK_NEAR(got, want, within)  harness_near((got), (want), (within), 0, #got, __FILE__, __LINE__)
 #define CHECK_CLOSE(got, want, within) harness_near((got), (want), (within), 1, #got, __FILE__, __LINE__)
 #define CHECK_ANGLE(got, want, within) harness_near((got), (want), (within), 2, #got, __FILE__, __LINE__)
 /* The same doubles, bit for bit. */
@@ -93,7 +93,8 @@ static inline void harness_near(double got, double want, double within, int kind
     if (kind == 2) off = remainder(off, 6.28318530717958647692);
     if (got == want || fabs(off) <= within) return;
     if (harness_shows(file, line))
-        printf("%s: got %.17g, want %.17g, off by %.3g%s where %.3g is allowed\n", text, got, want, off, unit[kind], within);
+        printf("%s: got %.17g, want %.17g, off by %.3g%s where %.3g is allowed\n", text, got, want, off, unit[kind],
+               within);
 }
 
 static inline void harness_same(const double *got, const double *want, size_t count, const char *text, const char *file,
@@ -115,8 +116,10 @@ static inline void harness_prove(void (*theorem)(void), const char *name)
     harness.which[0] = '\0';
     theorem();
     if (harness.failures > HARNESS_SHOWN) printf("... and %d more\n", harness.failures - HARNESS_SHOWN);
-    if (harness.failures) ++harness.failed;
-    else ++harness.passed;
+    if (harness.failures)
+        ++harness.failed;
+    else
+        ++harness.passed;
 }
 
 static inline int harness_qed(void)

@@ -144,7 +144,7 @@ def time_tests(work, tests):
         if run([binary], 300, cwd=ROOT):
             print('left out, for it fails without mutants: %s' % test)
             continue
-        seconds[test] = 3 + 8 * (time.time() - start)
+        seconds[test] = 2 + 4 * (time.time() - start)
     return seconds
 
 

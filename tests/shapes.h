@@ -10,7 +10,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
+#define PI   3.14159265358979323846
 #define MOST 64 /* corners of a random polygon, at most */
 
 /* --- chance (splitmix64) -------------------------------------------------------------------------------------------- */
@@ -84,6 +84,21 @@ static inline void gentle_star(chance *c, size_t n, double *xy)
     }
 }
 
+/* A gentle star of 3 to 22 corners in whole numbers up to 1000, so that it can be laid elsewhere without rounding. */
+static inline size_t whole_star(chance *c, double *xy)
+{
+    size_t n, i;
+    int apart;
+    do {
+        n = 3 + one_of(c, 20);
+        gentle_star(c, n, xy);
+        for (i = 0; i < 2 * n; ++i) xy[i] = floor(xy[i] * 1000);
+        for (apart = 1, i = 0; i < n; ++i)
+            if (hypot(xy[2 * i] - xy[2 * ((i + 1) % n)], xy[2 * i + 1] - xy[2 * ((i + 1) % n) + 1]) < 2) apart = 0;
+    } while (!apart);
+    return n;
+}
+
 /* The central projection to the sphere about the pole: straight edges become great circles, so a simple polygon about
    the origin stays simple, counter-clockwise and within a hemisphere. size = 1 covers half of that. */
 static inline void onto_sphere(const double *xy, size_t n, double size, double *xyz)
@@ -141,11 +156,13 @@ static inline void start_at(size_t k, const double *corner, size_t n, size_t str
 
 typedef struct chart {
     enum { ELLIPSOID, TORUS } kind;
-    double a, b, c; /* ellipsoid: semi-axes, u = polar angle, v = longitude; torus: a + b cos v from the axis, u = longitude */
+    double a, b,
+        c; /* ellipsoid: semi-axes, u = polar angle, v = longitude; torus: a + b cos v from the axis, u = longitude */
 } chart;
 
 /* Point, outer normal (not unit) and, unless NULL, the two tangents. */
-static inline void chart_point(const chart *m, double u, double v, double x[3], double normal[3], double du[3], double dv[3])
+static inline void chart_point(const chart *m, double u, double v, double x[3], double normal[3], double du[3],
+                               double dv[3])
 {
     double su = sin(u), cu = cos(u), sv = sin(v), cv = cos(v), tangent_u[3], tangent_v[3];
     if (m->kind == ELLIPSOID) {
@@ -195,7 +212,7 @@ static inline int hyperbolic_log(void *context, const double *x, const double *y
 static inline int hyperbolic_exp(void *context, const double *x, const double direction[2], double length, double *y)
 {
     double t = tanh(length / 2), w = t * direction[0], v = t * direction[1];
-    double a = w + x[0], b = v + x[1];                              /* (w + x)/(1 + x* w) */
+    double a = w + x[0], b = v + x[1]; /* (w + x)/(1 + x* w) */
     double c = 1 + x[0] * w + x[1] * v, d = x[0] * v - x[1] * w;
     (void)context;
     y[0] = (a * c + b * d) / (c * c + d * d);
@@ -223,7 +240,8 @@ static inline double hyperbolic_area(const double *corner, size_t n)
         double w[2][2];
         for (k = 0; k < 2; ++k) {
             double length, norm;
-            if (hyperbolic_log(NULL, corner, corner + 2 * (i + (size_t)k), &length, w[k]) != SURFMINK_OK) return nan("");
+            if (hyperbolic_log(NULL, corner, corner + 2 * (i + (size_t)k), &length, w[k]) != SURFMINK_OK)
+                return nan("");
             norm = sqrt(w[k][0] * w[k][0] + w[k][1] * w[k][1]);
             w[k][0] *= tanh(length / 2) / norm;
             w[k][1] *= tanh(length / 2) / norm;
@@ -327,8 +345,10 @@ static inline void flower_at(const flower_ruler *ruler, double fraction, double 
     int low = 0, high = FLOWER_PANELS, k;
     while (high - low > 1) {
         int middle = (low + high) / 2;
-        if (ruler->arc[middle] <= s) low = middle;
-        else high = middle;
+        if (ruler->arc[middle] <= s)
+            low = middle;
+        else
+            high = middle;
     }
     start = 2 * PI * low / FLOWER_PANELS;
     for (t = start, k = 0; k < 4; ++k) {

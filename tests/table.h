@@ -116,8 +116,9 @@ static inline void table_flower(const table *t, flower *f)
 {
     memset(f, 0, sizeof *f);
     f->surface.kind = strcmp(table_text(t, "surface"), "tor") == 0 ? TORUS : ELLIPSOID;
-    if (sscanf(table_text(t, "params"), "%lf;%lf;%lf", &f->surface.a, &f->surface.b, &f->surface.c) < 2
-        || sscanf(table_text(t, "curve"), "u0=%lf;v0=%lf;r0=%lf;a=%lf;w=%d", &f->u0, &f->v0, &f->r0, &f->a, &f->petals) != 5)
+    if (sscanf(table_text(t, "params"), "%lf;%lf;%lf", &f->surface.a, &f->surface.b, &f->surface.c) < 2 ||
+        sscanf(table_text(t, "curve"), "u0=%lf;v0=%lf;r0=%lf;a=%lf;w=%d", &f->u0, &f->v0, &f->r0, &f->a, &f->petals) !=
+            5)
         table_fails(t, "this is not a flower");
 }
 

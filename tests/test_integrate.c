@@ -151,7 +151,8 @@ THEOREM(in_the_plane_the_full_tensor_is_the_sum_of_the_products_of_edge_normals)
                 for (i = 0; i < n; ++i) {
                     const double *a = xy + 2 * i, *b = xy + 2 * ((i + 1) % n);
                     double nx = b[1] - a[1], ny = a[0] - b[0], l = hypot(nx, ny);
-                    sum += l * power((nx * frame[0] + ny * frame[1]) / l, p - j) * power((nx * frame[2] + ny * frame[3]) / l, j);
+                    sum += l * power((nx * frame[0] + ny * frame[1]) / l, p - j) *
+                           power((nx * frame[2] + ny * frame[3]) / l, j);
                 }
                 CHECK_NEAR(tensor[j], sum, 3e-14 * g[0]);
             }
@@ -296,7 +297,8 @@ THEOREM(the_classical_transport_splits_the_edge_of_its_fiducial_point)
     int trial, p;
     for (trial = 0; trial < 300; ++trial) {
         size_t n = random_edges(&c, length, turning), edge = one_of(&c, n), k;
-        double fraction = one_of(&c, 4) ? between(&c, 0, 1) : 0, turned = 0, re[13], im[13], back = turning[(edge + 1) % n];
+        double fraction = one_of(&c, 4) ? between(&c, 0, 1) : 0, turned = 0, re[13], im[13],
+               back = turning[(edge + 1) % n];
         for (p = 0; p <= 12; ++p) {
             re[p] = (1 - fraction) * length[edge];
             im[p] = 0;

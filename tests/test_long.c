@@ -160,21 +160,6 @@ THEOREM(a_flower_of_a_million_corners_has_the_values_of_the_smooth_curve)
 
 /* --- small and far away ---------------------------------------------------------------------------------------------- */
 
-/* A cell whose corners are whole multiples of a unit, so that it can be laid elsewhere without rounding. */
-static size_t cell_of_whole_numbers(chance *c, double *xy)
-{
-    size_t n, i;
-    int apart;
-    do {
-        n = 3 + one_of(c, 20);
-        gentle_star(c, n, xy);
-        for (i = 0; i < 2 * n; ++i) xy[i] = floor(xy[i] * 1000);
-        for (apart = 1, i = 0; i < n; ++i)
-            if (hypot(xy[2 * i] - xy[2 * ((i + 1) % n)], xy[2 * i + 1] - xy[2 * ((i + 1) % n) + 1]) < 2) apart = 0;
-    } while (!apart);
-    return n;
-}
-
 THEOREM(in_the_plane_it_does_not_matter_where_a_cell_lies)
 {
     chance c = {81};
@@ -182,7 +167,7 @@ THEOREM(in_the_plane_it_does_not_matter_where_a_cell_lies)
     surfmink_functionals w[2];
     int trial;
     for (trial = 0; trial < 200; ++trial) {
-        size_t n = cell_of_whole_numbers(&c, xy), i;
+        size_t n = whole_star(&c, xy), i;
         double x = floor(between(&c, -4e15, 4e15)), y = floor(between(&c, -4e15, 4e15));
         for (i = 0; i < n; ++i) {
             far_off[2 * i] = xy[2 * i] + x;
@@ -205,7 +190,7 @@ THEOREM(on_an_embedded_surface_it_does_not_matter_where_a_cell_lies)
     surfmink_functionals w;
     int trial;
     for (trial = 0; trial < 200; ++trial) {
-        size_t n = cell_of_whole_numbers(&c, xy), i;
+        size_t n = whole_star(&c, xy), i;
         for (i = 0; i < n; ++i) {
             double x = xy[2 * i], y = xy[2 * i + 1];
             here[3 * i] = x, here[3 * i + 1] = y, here[3 * i + 2] = floor((x * x - y * y) / 16384); /* a saddle */
@@ -269,7 +254,7 @@ THEOREM(cells_anywhere_keep_all_digits_that_their_corners_have)
     int trial, bits;
     for (trial = 0; trial < 200; ++trial)
         for (bits = 40; bits <= 50; bits += 5) { /* sizes from 5e-9 to 5e-12 */
-            size_t n = cell_of_whole_numbers(&c, xy), i;
+            size_t n = whole_star(&c, xy), i;
             double unit = power_of_two(-bits);
             for (i = 0; i < n; ++i) {
                 double a = unit * xy[2 * i], b = unit * xy[2 * i + 1];

@@ -15,7 +15,8 @@ THEOREM(eigenvalues_do_not_depend_on_the_first_corner)
 {
     static const chart torus = {TORUS, 2.0, 0.9, 0};
     chance c = {51};
-    double xyz[3 * MOST], normal[3 * MOST], moved[3 * MOST], moved_normal[3 * MOST], length[MOST], turning[MOST], phase[MOST];
+    double xyz[3 * MOST], normal[3 * MOST], moved[3 * MOST], moved_normal[3 * MOST], length[MOST], turning[MOST],
+        phase[MOST];
     double mu[2][P + 1], g[2][2 * (P + 1)], theta[2][P + 1];
     surfmink_functionals w[2];
     int trial, p;
@@ -100,11 +101,13 @@ THEOREM(about_the_axis_of_a_torus_rotation_is_translation_and_round_its_tube_it_
     double xyz[3 * 8], normal[3 * 8], mu[3][P + 1], angle;
     int shift;
     for (angle = 0; angle < 6; angle += 0.7) {
-        for (shift = 0; shift < 3; ++shift) { /* where it is; along the flow; and round the tube, where curvature differs */
+        for (shift = 0; shift < 3;
+             ++shift) { /* where it is; along the flow; and round the tube, where curvature differs */
             size_t i;
             for (i = 0; i < 8; ++i) {
                 double u = 0.4 * cos(2 * PI * (double)i / 8), v = 0.2 * sin(2 * PI * (double)i / 8);
-                chart_point(&torus, u + (shift == 1 ? angle : 0), v + (shift == 2 ? PI : 0), xyz + 3 * i, normal + 3 * i, NULL, NULL);
+                chart_point(&torus, u + (shift == 1 ? angle : 0), v + (shift == 2 ? PI : 0), xyz + 3 * i,
+                            normal + 3 * i, NULL, NULL);
             }
             CHECK_OK(surfmink_measure_embedded(xyz, normal, 8, P, mu[shift], NULL, NULL, NULL));
         }
@@ -282,7 +285,8 @@ THEOREM(the_triangle_with_sides_3_4_5_has_its_closed_form)
 {
     /* Seen from edge 0, of length 3, the co-normals are 1, i and z = -(3 + 4i)/5, so g_p = 3 + 4 i^p + 5 z^p. */
     static const double corner[6] = {0, 0, 3, 0, 3, 4};
-    static const double want[14] = {12, 0, 0, 0, -2.4, 4.8, 7.68, -5.76, 2.784, -2.688, 3.3792, 8.9856, 2.76096, -3.29472};
+    static const double want[14] = {12,    0,     0,      0,      -2.4,   4.8,     7.68,
+                                    -5.76, 2.784, -2.688, 3.3792, 8.9856, 2.76096, -3.29472};
     double mu[7], g[14];
     int p;
     CHECK_OK(surfmink_measure_plane(corner, 3, 6, mu, g, NULL, NULL));
@@ -345,7 +349,8 @@ static void regular_polygons(surfmink_surface *surface, const double *centre, do
 
 THEOREM(a_regular_polygon_has_mu_one_exactly_at_multiples_of_its_corner_count)
 {
-    static const double origin[2] = {0, 0}, off_centre[2] = {0.3, -0.4}, pole[3] = {0, 0, 1}, somewhere[3] = {0.6, 0, -0.8};
+    static const double origin[2] = {0, 0}, off_centre[2] = {0.3, -0.4}, pole[3] = {0, 0, 1},
+                        somewhere[3] = {0.6, 0, -0.8};
     surfmink_surface plane = spinning_plane(), hyperbolic = hyperbolic_plane(), sphere;
     double radius = 3, distance;
     sphere = surfmink_sphere(&radius);
@@ -354,7 +359,8 @@ THEOREM(a_regular_polygon_has_mu_one_exactly_at_multiples_of_its_corner_count)
         regular_polygons(&plane, off_centre, distance, 2e-14 / fmin(distance, 1));
         regular_polygons(&hyperbolic, origin, distance, 2e-13);
         regular_polygons(&hyperbolic, off_centre, fmin(distance, 1.5), 1e-13 / fmin(distance, 1));
-        regular_polygons(&sphere, pole, distance, 2e-14 / fmin(distance, 1)); /* up to 4/3 of the way to the antipode of the centre */
+        regular_polygons(&sphere, pole, distance,
+                         2e-14 / fmin(distance, 1)); /* up to 4/3 of the way to the antipode of the centre */
         regular_polygons(&sphere, somewhere, distance, 2e-14 / fmin(distance, 1));
     }
 }
@@ -397,7 +403,9 @@ static void alternating_polygons(surfmink_surface *surface, const double *centre
         if (m == 2) continue; /* a regular polygon of two corners is none */
         CHECK_OK(surfmink_regular_polygon(surface, centre, distance, 0.0, m, regular[0]));
         CHECK_OK(surfmink_regular_polygon(surface, centre, distance, 2 * PI / (double)m * 0.3, m, regular[1]));
-        for (i = 0; i < 2 * m; ++i) memcpy(corner + i * surface->stride, regular[i % 2] + i / 2 * surface->stride, surface->stride * sizeof *corner);
+        for (i = 0; i < 2 * m; ++i)
+            memcpy(corner + i * surface->stride, regular[i % 2] + i / 2 * surface->stride,
+                   surface->stride * sizeof *corner);
         CHECK_OK(surfmink_edges_surface(surface, corner, 2 * m, scratch, length, turning, NULL));
         for (i = 0; i < 2 * m; ++i) CHECK_NEAR(turning[i], turning[0], within);
         CHECK(length[1] > 1.5 * length[0]);
@@ -438,7 +446,8 @@ THEOREM(a_rectangle_has_mu_4_of_a_square_and_the_elongation_of_its_sides)
 /* --- stability (3.5) ------------------------------------------------------------------------------------------------- */
 
 /* A polygon on a surface, and the same with one corner more beside edge k: pushed out (side = 1) or in (-1) by a height. */
-static void add_vertex(surfmink_surface *surface, const double *corner, size_t n, size_t k, double side, double height, double *more)
+static void add_vertex(surfmink_surface *surface, const double *corner, size_t n, size_t k, double side, double height,
+                       double *more)
 {
     const double *x = corner + k * surface->stride, *y = corner + (k + 1) % n * surface->stride;
     double middle[2 * 3], length, along[2] = {0, 0}, out[2], norm;
@@ -449,13 +458,15 @@ static void add_vertex(surfmink_surface *surface, const double *corner, size_t n
     out[1] = -side * along[0] / norm;
     memcpy(more, corner, (k + 1) * surface->stride * sizeof *more);
     CHECK_OK(surface->exp(surface->context, middle + surface->stride, out, height, more + (k + 1) * surface->stride));
-    memcpy(more + (k + 2) * surface->stride, corner + (k + 1) * surface->stride, (n - k - 1) * surface->stride * sizeof *more);
+    memcpy(more + (k + 2) * surface->stride, corner + (k + 1) * surface->stride,
+           (n - k - 1) * surface->stride * sizeof *more);
 }
 
 /* Lemma (continuity), with the formulas of its proof for the phases of the larger polygon. */
 static void one_vertex_more(chance *c, surfmink_surface *surface, const double *corner, size_t n)
 {
-    double more[3 * MOST], triangle[9], scratch[2 * MOST], l[2][MOST], alpha[2][MOST], f[2][MOST], g[2][2 * (P + 1)], beta[3], edge[3];
+    double more[3 * MOST], triangle[9], scratch[2 * MOST], l[2][MOST], alpha[2][MOST], f[2][MOST], g[2][2 * (P + 1)],
+        beta[3], edge[3];
     double height, last = 1;
     size_t k = 1 + one_of(c, n - 2), i; /* not edge 0, whose frame would change; nor the last, for brevity */
     double side = one_of(c, 2) ? 1 : -1;

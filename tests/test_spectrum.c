@@ -269,7 +269,8 @@ THEOREM(eigenvectors_in_space_are_tangent_unit_vectors_at_their_angles)
 THEOREM(eigenvectors_at_two_edges_are_transports_of_each_other)
 {
     chance c = {47};
-    double xyz[3 * MOST], length[MOST], turning[MOST], phase[MOST], g[2 * (P + 1)], frame[9], here[3 * P], there[3 * P], carried[3];
+    double xyz[3 * MOST], length[MOST], turning[MOST], phase[MOST], g[2 * (P + 1)], frame[9], here[3 * P], there[3 * P],
+        carried[3];
     int trial, p, k;
     for (trial = 0; trial < 150; ++trial) {
         size_t n = cell(&c, trial, xyz, length, turning, g), from = one_of(&c, n), to = one_of(&c, n), j;
@@ -282,7 +283,8 @@ THEOREM(eigenvectors_at_two_edges_are_transports_of_each_other)
             CHECK_OK(surfmink_eigenvectors(g, p, sign, phase[to], frame, 3, there));
             for (k = 0; k < p; ++k) {
                 ptrdiff_t steps = (ptrdiff_t)to - (ptrdiff_t)from;
-                CHECK_OK(surfmink_transport_vector(xyz, xyz, turning, n, from, steps, SURFMINK_CORRECTED, here + 3 * k, carried));
+                CHECK_OK(surfmink_transport_vector(xyz, xyz, turning, n, from, steps, SURFMINK_CORRECTED, here + 3 * k,
+                                                   carried));
                 for (j = 0; j < 3; ++j) CHECK_NEAR(carried[j], there[3 * k + (int)j], 1e-14);
             }
         }
@@ -308,8 +310,8 @@ THEOREM(eigenvectors_at_an_edge_do_not_depend_on_the_first_corner)
             for (k = 0; k < p; ++k) { /* the same set, though counting may start elsewhere */
                 double nearest = 1;
                 for (m = 0; m < p; ++m) {
-                    double off = fabs(vector[3 * k] - other[3 * m]) + fabs(vector[3 * k + 1] - other[3 * m + 1])
-                                 + fabs(vector[3 * k + 2] - other[3 * m + 2]);
+                    double off = fabs(vector[3 * k] - other[3 * m]) + fabs(vector[3 * k + 1] - other[3 * m + 1]) +
+                                 fabs(vector[3 * k + 2] - other[3 * m + 2]);
                     if (off < nearest) nearest = off;
                 }
                 CHECK_NEAR(nearest, 0, 1e-13 / mu[p]);
@@ -328,8 +330,8 @@ static void four_steps(size_t n, double *length, double *turning, surfmink_funct
     CHECK_OK(surfmink_spectrum(g, P, NULL, mu, NULL));
 }
 
-static void same_measure(const surfmink_functionals *w, const double *g, const double *mu, const surfmink_functionals *easy_w,
-                         const double *easy_g, const double *easy_mu)
+static void same_measure(const surfmink_functionals *w, const double *g, const double *mu,
+                         const surfmink_functionals *easy_w, const double *easy_g, const double *easy_mu)
 {
     /* In the plane the easy call knows that S is 2 pi; the steps have a sum of turns, off by rounding. */
     double within = 1e-15 * w->condition;

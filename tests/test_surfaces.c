@@ -763,7 +763,8 @@ static double wrinkled(const void *shape, const double x[3], double gradient[3],
 THEOREM(geodesics_that_are_not_unique_fail_by_name)
 {
     double unit[3] = {1, 1, 1}, body[3] = {1.6, 1.3, 1.0}, earth[3] = {1, 1, 0.99664718933525254};
-    double x[3], y[3], direction[2] = {1, 0}, length = 2 * PI, near_pole[3] = {0, 0, -1}, radius[2] = {2, 0.5}, from[2] = {0, 0}, to[2] = {5, 0};
+    double x[3], y[3], direction[2] = {1, 0}, length = 2 * PI, near_pole[3] = {0, 0, -1};
+    double radius[2] = {2, 0.5}, from[2] = {0, 0}, to[2] = {5, 0};
     surfmink_implicit sphere = surfmink_ellipsoid(unit), ellipsoid = surfmink_ellipsoid(body);
     surfmink_implicit spheroid = surfmink_ellipsoid(earth);
     surfmink_surface unrolled = surfmink_torus_chart(radius);
@@ -892,6 +893,9 @@ THEOREM(other_failures_have_names_too_and_change_nothing)
     CHECK_STATUS(log_status(&lie, x, y), SURFMINK_CALLBACK_FAILED);
     CHECK_STATUS(surfmink_implicit_exp(&body, lost, direction, 1, point), SURFMINK_NOT_FINITE);
     CHECK_STATUS(surfmink_implicit_exp(&body, x, direction, HUGE_VAL, point), SURFMINK_NOT_FINITE);
+    CHECK_STATUS(surfmink_implicit_exp(&body, x, direction, 1e6, point), SURFMINK_CALLBACK_FAILED); /* for ever */
+    direction[0] = nan("");
+    CHECK_STATUS(surfmink_implicit_exp(&body, x, direction, 1, point), SURFMINK_NOT_FINITE);
     direction[0] = 0;
     CHECK_STATUS(surfmink_implicit_exp(&body, x, direction, 1, point), SURFMINK_BAD_ARGUMENT);
     CHECK_STATUS(surfmink_implicit_log_near(&body, x, y, &length, direction, NULL), SURFMINK_BAD_ARGUMENT);

@@ -157,7 +157,8 @@ THEOREM(transport_there_and_on_is_transport_all_the_way_and_back_is_back)
     int trial;
     for (trial = 0; trial < 300; ++trial) {
         size_t n = cell(&c, trial, xyz, length, turning), from = one_of(&c, n), over;
-        ptrdiff_t first = (ptrdiff_t)one_of(&c, 3 * n) - (ptrdiff_t)n, second = (ptrdiff_t)one_of(&c, 3 * n) - (ptrdiff_t)n;
+        ptrdiff_t first = (ptrdiff_t)one_of(&c, 3 * n) - (ptrdiff_t)n,
+                  second = (ptrdiff_t)one_of(&c, 3 * n) - (ptrdiff_t)n;
         int transport = trial % 3;
         over = (from + 2 * n + (size_t)(first + (ptrdiff_t)n)) % n;
         CHECK_OK(surfmink_transport_angle(turning, n, from, first, transport, 0.5, &there));
@@ -196,7 +197,8 @@ THEOREM(parallel_transport_on_the_sphere_rolls_along_great_circles)
         for (k = 0; k < 3; ++k) rolled[k] = vector[k] = 0.6 * frame[k] + 0.8 * frame[3 + k];
         for (step = 1; step <= n + 2; ++step) {
             roll_on(xyz, length, n, (from + step - 1) % n, rolled);
-            CHECK_OK(surfmink_transport_vector(xyz, xyz, turning, n, from, (ptrdiff_t)step, SURFMINK_PARALLEL, vector, carried));
+            CHECK_OK(surfmink_transport_vector(xyz, xyz, turning, n, from, (ptrdiff_t)step, SURFMINK_PARALLEL, vector,
+                                               carried));
             for (k = 0; k < 3; ++k) CHECK_NEAR(carried[k], rolled[k], 5e-14);
         }
     }
@@ -224,7 +226,8 @@ THEOREM(carried_vectors_stay_tangent_and_keep_their_length)
 {
     static const chart torus = {TORUS, 2.0, 0.9, 0};
     chance c = {28};
-    double xyz[3 * MOST], normal[3 * MOST], length[MOST], turning[MOST], start[9], end[9], vector[3], carried[3], back[3];
+    double xyz[3 * MOST], normal[3 * MOST], length[MOST], turning[MOST], start[9], end[9], vector[3], carried[3],
+        back[3];
     int trial;
     for (trial = 0; trial < 300; ++trial) {
         size_t n = 3 + one_of(&c, 20), from = one_of(&c, n), to, k;
@@ -237,7 +240,8 @@ THEOREM(carried_vectors_stay_tangent_and_keep_their_length)
         to = (from + (size_t)(steps + (ptrdiff_t)n)) % n;
         CHECK_OK(surfmink_frame_embedded(xyz, normal, n, from, start));
         CHECK_OK(surfmink_frame_embedded(xyz, normal, n, to, end));
-        for (k = 0; k < 3; ++k) vector[k] = 3 * start[k] - 4 * start[3 + k] + 7 * start[6 + k]; /* 7 along the normal is dropped */
+        for (k = 0; k < 3; ++k)
+            vector[k] = 3 * start[k] - 4 * start[3 + k] + 7 * start[6 + k]; /* 7 along the normal is dropped */
         CHECK_OK(surfmink_transport_vector(xyz, normal, turning, n, from, steps, transport, vector, carried));
         CHECK_NEAR(dot3(carried, end + 6), 0, 1e-14);
         CHECK_CLOSE(dot3(carried, carried), 25, 1e-14);
@@ -246,7 +250,8 @@ THEOREM(carried_vectors_stay_tangent_and_keep_their_length)
         CHECK_ANGLE(atan2(dot3(carried, end + 3), dot3(carried, end)), angle, 1e-14);
         CHECK_OK(surfmink_transport_vector(xyz, normal, turning, n, to, -steps, transport, carried, back));
         for (k = 0; k < 3; ++k) CHECK_NEAR(back[k], 3 * start[k] - 4 * start[3 + k], 3e-14);
-        CHECK_OK(surfmink_transport_vector(xyz, normal, turning, n, from, steps, transport, vector, vector)); /* in place */
+        CHECK_OK(
+            surfmink_transport_vector(xyz, normal, turning, n, from, steps, transport, vector, vector)); /* in place */
         CHECK_SAME(vector, carried, 3);
     }
 }

@@ -13,6 +13,7 @@ typedef struct measure {
     double *mu;      /* P + 1 */
     double *theta;   /* P + 1 */
     double frame[9]; /* nu, tau (, normal) at the middle of edge 0 */
+    int has_frame;
     double *length;  /* n, for the classical transport and for pictures */
     double *turning; /* n */
     size_t length_room, turning_room;
@@ -124,7 +125,7 @@ static int sphere_frame(const polygon *p, double frame[9])
     size_t i, k;
     for (i = 0; i < 3; ++i) {
         const double *x = p->corner + 3 * i;
-        length = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+        length = hypot(hypot(x[0], x[1]), x[2]);
         for (k = 0; k < 3; ++k) on_sphere[3 * i + k] = x[k] / length;
     }
     return surfmink_frame_embedded(on_sphere, on_sphere, 3, 0, frame);
@@ -152,7 +153,7 @@ static int measure_once(measure *m, const polygon *p, const options *o)
         status = surfmink_irreducible_parallel(m->length, m->turning, p->n, 0, 0.5, o->max_rank, m->g);
     }
     if (status == SURFMINK_OK) status = surfmink_spectrum(m->g, o->max_rank, NULL, m->mu, m->theta);
-    if (status == SURFMINK_OK && o->directions) status = find_frame(m, p);
+    m->has_frame = status == SURFMINK_OK && o->directions && find_frame(m, p) == SURFMINK_OK;
     return status;
 }
 

@@ -33,18 +33,18 @@ static const layout layout_lonlat = {SPHERE, 1, 2, {COLUMN_LON, COLUMN_LAT}};
 static const layout layout_sphere = {SPHERE, 0, 3, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
 static const layout layout_embedded = {EMBEDDED, 0, 6, {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_NX, COLUMN_NY, COLUMN_NZ}};
 
+static const size_t nowhere = (size_t)-1;
+
 typedef struct table {
     lines *in;
     char separator;
     size_t names;          /* fields of the line that names the columns */
-    size_t place[COLUMNS]; /* field of each known column; NOWHERE if there is none */
-    size_t id;             /* field of the id; NOWHERE if there is none */
+    size_t place[COLUMNS]; /* field of each known column; nowhere if there is none */
+    size_t id;             /* field of the id; nowhere if there is none */
     const layout *layout;
     int has_row;            /* the line that ended a polygon begins the next one */
     unsigned long polygons; /* so far */
 } table;
-
-static const size_t nowhere = (size_t)-1;
 
 /* --- the line that names the columns ------------------------------------------------------------------------------ */
 

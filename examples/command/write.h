@@ -58,7 +58,7 @@ static void put_direction(writer *w, int p, size_t dimensions, const measure *m)
     char name[32];
     double part;
     size_t k;
-    int defined = m && has_direction(m, p);
+    int defined = m && m->has_frame && has_direction(m, p);
     for (k = 0; k < dimensions; ++k) {
         snprintf(name, sizeof name, "e_%d_%c", p, "xyz"[k]);
         part = defined ? cos(m->theta[p]) * m->frame[k] + sin(m->theta[p]) * m->frame[dimensions + k] : 0;

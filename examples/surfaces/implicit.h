@@ -32,7 +32,8 @@
      SURFMINK_ANTIPODAL_CORNERS    more than one shortest geodesic, or the geodesic passes a conjugate point (m <= 0 on the
                                    way), beyond which it is not the shortest; also at m <= 1e-6 of its length, where the
                                    direction begins to be noise
-     SURFMINK_CALLBACK_FAILED      no geodesic was found: Newton's method did not converge
+     SURFMINK_CALLBACK_FAILED      no geodesic was found: Newton's method did not converge, as it cannot where K < 0 makes m
+                                   grow beyond 1e13, or log took 300 steps of about a radius of curvature, exp 30000
      SURFMINK_ZERO_NORMAL          grad f vanishes where a geodesic or the drop onto the surface came by
      SURFMINK_NOT_FINITE           a NaN or an infinity, given or from f
      On error outputs are untouched.
@@ -190,6 +191,7 @@ typedef struct implicit__flow {
     const surfmink_implicit *surface;
     double origin[3];                               /* positions count from here: short edges keep their digits */
     double step;                                    /* the step that was right last time, 0 if there was none */
+    int most;                                       /* steps of a shot, so that a wrong Hessian cannot keep us for hours */
     double node[IMPLICIT__NODES], weight[IMPLICIT__NODES];
     double once[IMPLICIT__NODES][IMPLICIT__NODES];  /* accelerations -> velocities at the nodes */
     double twice[IMPLICIT__NODES][IMPLICIT__NODES]; /* accelerations -> positions at the nodes */
@@ -204,7 +206,7 @@ typedef struct implicit__end {
 
 /* Gauss-Legendre rule of 8 nodes on [0, 1]. Its integration matrices follow from the Legendre expansion of what is
    integrated, sum_k (2k+1) P_k(t) sum_j w_j P_k(t_j) a_j, and the integral (P_{k+1} - P_{k-1}) / (2k+1) of P_k. */
-static inline void implicit__begin(implicit__flow *flow, const surfmink_implicit *surface)
+static inline void implicit__begin(implicit__flow *flow, const surfmink_implicit *surface, int most)
 {
     static const double abscissa[4] = {.18343464249564980494, .52553240991632898582, .79666647741362673959,
                                        .96028985649753623168};
@@ -214,6 +216,7 @@ static inline void implicit__begin(implicit__flow *flow, const surfmink_implicit
     int i, j, k;
     flow->surface = surface;
     flow->step = 0;
+    flow->most = most;
     for (i = 0; i < IMPLICIT__NODES; ++i) {
         double t = i < 4 ? -abscissa[3 - i] : abscissa[i - 4];
         flow->node[i] = (1 + t) / 2;
@@ -340,7 +343,7 @@ static inline int implicit__shoot(implicit__flow *flow, const double *tangent, d
     const double tolerance = 1e-6;
     double done = 0, h, error, change;
     implicit__end next;
-    int k, status;
+    int k, status, steps = 0;
     for (k = 0; k < 4; ++k) {
         end->position[k] = 0;
         end->velocity[k] = k < 3 ? tangent[k] : 1;
@@ -358,7 +361,7 @@ static inline int implicit__shoot(implicit__flow *flow, const double *tangent, d
         flow->step = bent > 0 ? 1 / bent : length;
     }
     while (done < length) {
-        if (!(flow->step > 1e-7 * length)) return SURFMINK_CALLBACK_FAILED; /* f is not smooth, or far too long */
+        if (steps++ == flow->most) return SURFMINK_CALLBACK_FAILED;
         h = (length - done) / ceil((length - done) / flow->step);
         status = implicit__step(flow, end, h, &next, &error);
         if (status != SURFMINK_OK) return status;
@@ -381,7 +384,8 @@ static inline int implicit__shoot(implicit__flow *flow, const double *tangent, d
 /* --- exp and log --------------------------------------------------------------------------------------------------- */
 
 /* exp: the point at a distance from x along a direction of the frame at x (normalised here; a negative length goes
-   backwards). y may be the same array as x. Errors: NOT_FINITE, ZERO_NORMAL, CALLBACK_FAILED, BAD_ARGUMENT (no direction). */
+   backwards). y may be the same array as x.
+   Errors: NOT_FINITE, ZERO_NORMAL, CALLBACK_FAILED, BAD_ARGUMENT (no direction).                                       */
 static inline int surfmink_implicit_exp(const surfmink_implicit *surface, const double x[3], const double direction[2],
                                         double length, double y[3])
 {
@@ -390,9 +394,9 @@ static inline int surfmink_implicit_exp(const surfmink_implicit *surface, const 
     double way[3], frame[9], tangent[3], size = hypot(direction[0], direction[1]);
     int k, status = implicit__drop(surface, x, way);
     if (status != SURFMINK_OK) return status;
-    if (!(size < HUGE_VAL) || !(fabs(length) < HUGE_VAL)) return SURFMINK_NOT_FINITE;
+    if (!(size < HUGE_VAL)) return SURFMINK_NOT_FINITE;
     if (!(size > 0)) return SURFMINK_BAD_ARGUMENT;
-    implicit__begin(&flow, surface);
+    implicit__begin(&flow, surface, 30000);
     for (k = 0; k < 3; ++k) flow.origin[k] = x[k] + way[k];
     status = surfmink_implicit_frame(surface, flow.origin, frame);
     if (status != SURFMINK_OK) return status;
@@ -420,7 +424,7 @@ static inline int implicit__depart(implicit__aim *aim, const surfmink_implicit *
 {
     int k, status = implicit__drop(surface, x, aim->from);
     if (status != SURFMINK_OK) return status;
-    implicit__begin(&aim->flow, surface);
+    implicit__begin(&aim->flow, surface, 300);
     for (k = 0; k < 3; ++k) aim->flow.origin[k] = x[k] + aim->from[k];
     return surfmink_implicit_frame(surface, aim->flow.origin, aim->frame);
 }

@@ -39,7 +39,7 @@ static void fuzz(bytes in)
     int status;
     surface.context = &in;
     surface.stride = which & 1 ? 2 : take(&in) % 20;
-    if (surface.stride > 2 && surface.stride <= 16) surface.stride = 2; /* what the callbacks write */
+    if (surface.stride > 0 && surface.stride <= 16) surface.stride = 2; /* what the callbacks write */
     surface.log = which & 6 ? some_log : NULL;
     surface.exp = which & 24 ? some_exp : NULL;
     memset(&m, 0x5a, sizeof m);
