@@ -13,7 +13,7 @@
 #define PI   3.14159265358979323846
 #define MOST 64 /* corners of a random polygon, at most */
 
-/* --- chance (splitmix64) -------------------------------------------------------------------------------------------- */
+/* --- chance (splitmix64) ------------------------------------------------------------------------------------------ */
 
 typedef struct chance {
     uint64_t state;
@@ -43,7 +43,7 @@ static inline double power_of_two(int exponent)
     return ldexp(1.0, exponent);
 }
 
-/* --- polygons ------------------------------------------------------------------------------------------------------- */
+/* --- polygons ----------------------------------------------------------------------------------------------------- */
 
 /* A counter-clockwise polygon that is star-shaped about the origin, so it never crosses itself; size about 1. */
 static inline void random_star(chance *c, size_t n, double *xy)
@@ -71,7 +71,8 @@ static inline void random_star(chance *c, size_t n, double *xy)
         }
 }
 
-/* One without extremes, for surfaces where straight lines of the chart are not edges: there a needle might cross itself. */
+/* One without extremes, for surfaces where straight lines of the chart are not edges: there a needle might cross
+   itself. */
 static inline void gentle_star(chance *c, size_t n, double *xy)
 {
     double gap[MOST], angle, sum = 0, r;
@@ -152,7 +153,7 @@ static inline void start_at(size_t k, const double *corner, size_t n, size_t str
     memcpy(relabelled + (n - k) * stride, corner, k * stride * sizeof *corner);
 }
 
-/* --- surfaces in space, as charts (u, v) ---------------------------------------------------------------------------- */
+/* --- surfaces in space, as charts (u, v) -------------------------------------------------------------------------- */
 
 typedef struct chart {
     enum { ELLIPSOID, TORUS } kind;
@@ -192,10 +193,10 @@ static inline void star_on_chart(chance *c, const chart *m, double u, double v, 
         chart_point(m, u + size * xy[2 * i], v + size * xy[2 * i + 1], xyz + 3 * i, normal + 3 * i, NULL, NULL);
 }
 
-/* --- surfaces by callbacks ------------------------------------------------------------------------------------------ */
+/* --- surfaces by callbacks ---------------------------------------------------------------------------------------- */
 
-/* The hyperbolic plane (K = -1) in the Poincare disk, where it has closed forms: the isometry w = (y - x)/(1 - x* y) takes x
-   to 0 and turns nothing there, and from 0 geodesics are rays of length 2 atanh |w|. */
+/* The hyperbolic plane (K = -1) in the Poincare disk, where it has closed forms: the isometry w = (y - x)/(1 - x* y)
+   takes x to 0 and turns nothing there, and from 0 geodesics are rays of length 2 atanh |w|. */
 static inline int hyperbolic_log(void *context, const double *x, const double *y, double *length, double direction[2])
 {
     double a = y[0] - x[0], b = y[1] - x[1];
@@ -230,7 +231,8 @@ static inline surfmink_surface hyperbolic_plane(void)
     return s;
 }
 
-/* Area of a hyperbolic polygon, a fan about corner 0: a triangle 0, a, b of the disk has tan(A/2) = Im(a* b)/(1 - Re(a* b)). */
+/* Area of a hyperbolic polygon, a fan about corner 0: a triangle 0, a, b of the disk has tan(A/2) = Im(a* b)/(1 -
+   Re(a* b)). */
 static inline double hyperbolic_area(const double *corner, size_t n)
 {
     double area = 0;
@@ -251,7 +253,8 @@ static inline double hyperbolic_area(const double *corner, size_t n)
     return area;
 }
 
-/* The plane with a frame that spins from point to point and a log whose direction is not unit: turning angles must not notice. */
+/* The plane with a frame that spins from point to point and a log whose direction is not unit: turning angles must
+   not notice. */
 static inline double spin_at(const double *x)
 {
     return 7 * x[0] - 11 * x[1] + 1;
@@ -289,7 +292,7 @@ static inline surfmink_surface spinning_plane(void)
     return s;
 }
 
-/* --- smooth curves: the flowers of the paper ------------------------------------------------------------------------ */
+/* --- smooth curves: the flowers of the paper ---------------------------------------------------------------------- */
 
 typedef struct flower {
     chart surface;

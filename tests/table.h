@@ -2,8 +2,8 @@
 
    Tab separated, `#` lines are notes, the first other line names the columns.
 
-   Columns are asked for by name. A file or column that is missing ends the program with a sentence, for then nothing that
-   follows would mean anything. */
+   Columns are asked for by name. A file or column that is missing ends the program with a sentence, for then nothing
+   that follows would mean anything. */
 #ifndef TABLE_H
 #define TABLE_H
 
@@ -93,7 +93,8 @@ static inline double table_rank(const table *t, const char *column, int p)
     return table_number(t, name);
 }
 
-/* Reads the rows of one case of a table of points: dim columns from names[], one corner after the other. Returns how many. */
+/* Reads the rows of one case of a table of points: dim columns from names[], one corner after the other. Returns how
+   many. */
 static inline size_t table_points(const char *path, const char *which, const char *const *names, int dim, size_t most,
                                   double *out)
 {

@@ -1,10 +1,11 @@
-/* Polygons through the points of a smooth curve converge to it at second order (paper 4; flowers on a sphere, an ellipsoid, a torus).
+/* Polygons through the points of a smooth curve converge to it at second order (paper 4; flowers on a sphere, an
+   ellipsoid, a torus).
    cc -I. tests/test_convergence.c -lm && ./a.out
 
-   The paper proves first order in general. On every partition, also of very unequal edges, L, the total turning and mu converge at
-   second order, and so do the components if they are compared where they are read: in the middle of edge 0. With the index of the
-   paper's section 4, which adds each turn one edge too late, there is only first order: that is shown too, so that these theorems
-   are known to tell the two apart. */
+   The paper proves first order in general. On every partition, also of very unequal edges, L, the total turning and
+   mu converge at second order, and so do the components if they are compared where they are read: in the middle of
+   edge 0. With the index of the paper's section 4, which adds each turn one edge too late, there is only first
+   order: that is shown too, so that these theorems are known to tell the two apart. */
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 
@@ -16,7 +17,8 @@
 
 enum { LEVELS = 3, COARSEST = 512, FINEST = COARSEST << (LEVELS - 1) };
 enum partition { UNIFORM, GRADED, ALTERNATING, TWO_HALVES, PARTITIONS };
-static const char *const partition_name[PARTITIONS] = {"equal edges", "edges graded 1:4", "edges alternating 1:3", "one half coarse 3:1"};
+static const char *const partition_name[PARTITIONS] = {"equal edges", "edges graded 1:4", "edges alternating 1:3",
+                                                       "one half coarse 3:1"};
 
 /* Where corner i of n lies, as a fraction of the arc length; the middle of edge 0 is at 0. */
 static double position(enum partition kind, size_t i, size_t n)
@@ -59,7 +61,8 @@ typedef struct errors {
 } errors;
 
 /* Worst errors over all ranks, from lengths and phases. */
-static void judge(const exact *e, size_t n, const double *length, const double *turning, const double *phase, errors *off)
+static void judge(const exact *e, size_t n, const double *length, const double *turning, const double *phase,
+                  errors *off)
 {
     double g[2 * (P + 1)], mu[P + 1];
     surfmink_functionals w;
@@ -81,15 +84,17 @@ static void judge(const exact *e, size_t n, const double *length, const double *
 enum scheme { GREAT_CIRCLES, CHORDS };
 enum recipe { SECTION_3, SECTION_4, FIDUCIAL_AT_A_CORNER };
 
-static void measure(const exact *e, const flower_ruler *ruler, enum scheme scheme, enum partition kind, enum recipe recipe, size_t n,
-                    errors *off)
+static void measure(const exact *e, const flower_ruler *ruler, enum scheme scheme, enum partition kind,
+                    enum recipe recipe, size_t n, errors *off)
 {
     static double corner[3 * FINEST], normal[3 * FINEST], length[FINEST], turning[FINEST], phase[FINEST];
     double shift = recipe == FIDUCIAL_AT_A_CORNER ? -position(kind, 0, n) : 0, turned = 0;
     size_t i;
     for (i = 0; i < n; ++i) flower_at(ruler, position(kind, i, n) + shift, corner + 3 * i, normal + 3 * i);
-    if (scheme == GREAT_CIRCLES) CHECK_OK(surfmink_edges_sphere(corner, n, 1.0, length, turning, NULL));
-    else CHECK_OK(surfmink_edges_embedded(corner, normal, n, length, turning, NULL));
+    if (scheme == GREAT_CIRCLES)
+        CHECK_OK(surfmink_edges_sphere(corner, n, 1.0, length, turning, NULL));
+    else
+        CHECK_OK(surfmink_edges_embedded(corner, normal, n, length, turning, NULL));
     CHECK_OK(surfmink_phases(turning, n, SURFMINK_CORRECTED, phase));
     if (recipe == SECTION_4) { /* the turn at corner 0 counts, the one at corner i does not yet */
         double total = 0;
@@ -122,9 +127,11 @@ static void converges(const char *which, enum scheme scheme, enum recipe recipe,
         CHECK_NEAR(order(coarse.length, fine.length), 2, 0.01);
         CHECK_NEAR(order(coarse.turning, fine.turning), 2, 0.01);
         CHECK_NEAR(order(coarse.g, fine.g), order_of_g, band);
-        if (recipe != SECTION_4) CHECK_NEAR(order(coarse.mu, fine.mu), 2, band);
-        else if (kind == GRADED) CHECK_NEAR(order(coarse.mu, fine.mu), 1, band); /* where edges are alike it errs little in mu */
-        if (recipe == SECTION_3) { /* and errors are small, not only falling */
+        if (recipe != SECTION_4)
+            CHECK_NEAR(order(coarse.mu, fine.mu), 2, band);
+        else if (kind == GRADED)
+            CHECK_NEAR(order(coarse.mu, fine.mu), 1, band); /* where edges are alike it errs little in mu */
+        if (recipe == SECTION_3) {                          /* and errors are small, not only falling */
             CHECK_NEAR(fine.length / e.length, 0, 2e-5);
             CHECK_NEAR(fine.turning, 0, 1e-5);
             CHECK_NEAR(fine.mu, 0, 5e-5);

@@ -21,7 +21,7 @@ static double norm3(const double *x)
     return sqrt(dot3(x, x));
 }
 
-/* --- log and exp (paper 5.1) ----------------------------------------------------------------------------------------- */
+/* --- log and exp (paper 5.1) -------------------------------------------------------------------------------------- */
 
 THEOREM(log_is_the_tangent_towards_the_other_point_as_long_as_the_arc)
 {
@@ -38,8 +38,8 @@ THEOREM(log_is_the_tangent_towards_the_other_point_as_long_as_the_arc)
         arc = atan2(norm3(cross), dot3(x, y));
         CHECK_CLOSE(norm3(vector), radius * arc, 2e-15 + 2e-16 / arc);
         CHECK_NEAR(dot3(vector, x), 0, 1e-15 * radius * arc);
-        CHECK_NEAR(dot3(vector, cross), 0, 4e-15 * radius);   /* in the plane of the great circle, */
-        CHECK(dot3(vector, y) > 0 || arc > PI / 2);           /* and not the long way round */
+        CHECK_NEAR(dot3(vector, cross), 0, 4e-15 * radius); /* in the plane of the great circle, */
+        CHECK(dot3(vector, y) > 0 || arc > PI / 2);         /* and not the long way round */
     }
 }
 
@@ -71,7 +71,8 @@ THEOREM(exp_drops_the_part_along_the_point_and_may_overwrite_its_inputs)
 {
     static const double up[3] = {0, 0, 5}, vector[3] = {PI / 2, 0, 7};
     double y[3], in_place[3] = {0, 0, 5}, also[3] = {PI / 2, 0, 7}, none[3] = {0, 0, 0};
-    CHECK_OK(surfmink_sphere_exp(up, vector, 1.0, y)); /* only the direction of up counts: a quarter of the unit circle */
+    CHECK_OK(
+        surfmink_sphere_exp(up, vector, 1.0, y)); /* only the direction of up counts: a quarter of the unit circle */
     CHECK_NEAR(y[0], 1, 1e-15), CHECK_NEAR(y[1], 0, 1e-15), CHECK_NEAR(y[2], 0, 1e-15);
     CHECK_OK(surfmink_sphere_exp(in_place, vector, 1.0, in_place));
     CHECK_SAME(in_place, y, 3);
@@ -128,7 +129,7 @@ THEOREM(the_callbacks_of_the_sphere_use_one_oriented_frame_at_each_point)
     }
 }
 
-/* --- longitude and latitude ------------------------------------------------------------------------------------------ */
+/* --- longitude and latitude --------------------------------------------------------------------------------------- */
 
 THEOREM(quadrants_and_poles_are_exact)
 {
@@ -175,7 +176,7 @@ THEOREM(longitudes_run_east_and_latitudes_north)
     CHECK_NEAR(point[1], 0.25, 1e-15);
 }
 
-/* --- building -------------------------------------------------------------------------------------------------------- */
+/* --- building ----------------------------------------------------------------------------------------------------- */
 
 THEOREM(a_regular_polygon_is_regular_round_its_centre)
 {
@@ -194,7 +195,8 @@ THEOREM(a_regular_polygon_is_regular_round_its_centre)
             CHECK_OK(sphere.log(sphere.context, centre, corner + 3 * i, &there, direction));
             CHECK_CLOSE(there, 1.5, 1e-14);
             first = atan2(direction[1], direction[0]);
-            CHECK_ANGLE(first, 0.4 + 2 * PI * (double)i / (double)n, 1e-14); /* the first at the angle, then counter-clockwise */
+            CHECK_ANGLE(first, 0.4 + 2 * PI * (double)i / (double)n,
+                        1e-14); /* the first at the angle, then counter-clockwise */
             CHECK(turning[i] > 0);
         }
         CHECK_OK(surfmink_regular_polygon(&hyperbolic, centre, 1.5, 0.4, n, corner)); /* reads (0.6, 0) of the centre */
@@ -242,7 +244,8 @@ THEOREM(an_outline_with_points_along_its_edges_is_the_same_outline)
         size_t n = 3 + one_of(&c, 20), i;
         gentle_star(&c, n, xy);
         for (i = 0; i < 2 * n; ++i) xy[i] *= 0.7;
-        for (i = 0; i < n; ++i) CHECK_OK(surfmink_edge_points(&hyperbolic, xy + 2 * i, xy + 2 * ((i + 1) % n), 5, fine + 10 * i));
+        for (i = 0; i < n; ++i)
+            CHECK_OK(surfmink_edge_points(&hyperbolic, xy + 2 * i, xy + 2 * ((i + 1) % n), 5, fine + 10 * i));
         CASE("trial %d", trial);
         CHECK_OK(surfmink_measure_surface(&hyperbolic, xy, n, scratch, 12, mu[0], NULL, &w[0], NULL));
         CHECK_OK(surfmink_measure_surface(&hyperbolic, fine, 5 * n, scratch, 12, mu[1], NULL, &w[1], NULL));
@@ -252,7 +255,7 @@ THEOREM(an_outline_with_points_along_its_edges_is_the_same_outline)
     }
 }
 
-/* --- repairing ------------------------------------------------------------------------------------------------------- */
+/* --- repairing ---------------------------------------------------------------------------------------------------- */
 
 THEOREM(reversal_is_its_own_inverse_and_swaps_whole_corners)
 {
@@ -283,8 +286,9 @@ THEOREM(a_pass_of_smoothing_takes_the_mean_of_each_corner_and_its_two_neighbours
         for (pass = 0; pass < passes; ++pass) {
             for (i = 0; i < n; ++i)
                 for (k = 0; k < stride; ++k)
-                    once[i * stride + k] = (corner[(i + n - 1) % n * stride + k] + corner[i * stride + k]
-                                            + corner[(i + 1) % n * stride + k]) / 3;
+                    once[i * stride + k] = (corner[(i + n - 1) % n * stride + k] + corner[i * stride + k] +
+                                            corner[(i + 1) % n * stride + k]) /
+                                           3;
             memcpy(corner, once, sizeof once);
         }
         surfmink_smooth(smooth, n, stride, passes);
@@ -295,8 +299,8 @@ THEOREM(a_pass_of_smoothing_takes_the_mean_of_each_corner_and_its_two_neighbours
 
 THEOREM(smoothing_takes_the_staircase_out_of_a_pixel_outline)
 {
-    /* The slanted square |x| + |y| <= 8 in pixels: as drawn it turns by right angles only, so it looks like a square that stands
-       upright; smoothed, its eigenvectors of rank 4 point along the diagonals. */
+    /* The slanted square |x| + |y| <= 8 in pixels: as drawn it turns by right angles only, so it looks like a square
+       that stands upright; smoothed, its eigenvectors of rank 4 point along the diagonals. */
     double corner[2 * 2 * 32], mu[5], g[10], frame[4], vector[8];
     int x = 8, y = 0, k = 0, side;
     static const int step[4][2] = {{-1, 1}, {-1, -1}, {1, -1}, {1, 1}};

@@ -26,7 +26,7 @@ static double power(double x, int k)
     return y;
 }
 
-/* --- irreducible components ----------------------------------------------------------------------------------------- */
+/* --- irreducible components --------------------------------------------------------------------------------------- */
 
 /* Paper 3.3, eq. (integrated-components-polygon). */
 THEOREM(a_component_is_the_sum_of_lengths_times_powers_of_the_phase)
@@ -93,7 +93,7 @@ THEOREM(a_component_does_not_depend_on_how_many_are_asked_for)
     }
 }
 
-/* --- the flat tensor ------------------------------------------------------------------------------------------------ */
+/* --- the flat tensor ---------------------------------------------------------------------------------------------- */
 
 /* Remark of paper 2.3: in the plane the definition coincides with the usual one. */
 THEOREM(in_the_plane_components_are_those_of_the_edge_normals)
@@ -160,7 +160,7 @@ THEOREM(in_the_plane_the_full_tensor_is_the_sum_of_the_products_of_edge_normals)
     }
 }
 
-/* --- tensors and their trace-free parts ------------------------------------------------------------------------------ */
+/* --- tensors and their trace-free parts --------------------------------------------------------------------------- */
 
 THEOREM(the_full_tensor_has_the_components_of_its_definition)
 {
@@ -262,10 +262,10 @@ THEOREM(contraction_with_a_vector_leaves_the_sum_of_normals_times_powers_of_thei
     }
 }
 
-/* --- the classical transport, for comparison ------------------------------------------------------------------------ */
+/* --- the classical transport, for comparison ---------------------------------------------------------------------- */
 
-/* Paper 5.1: the octant with the classical transport, read at a fraction u of an edge. The four pieces of its outline, of lengths
-   1-u, 1, 1, u, have phases of 0, 1, 2, 3 right angles. */
+/* Paper 5.1: the octant with the classical transport, read at a fraction u of an edge. The four pieces of its
+   outline, of lengths 1-u, 1, 1, u, have phases of 0, 1, 2, 3 right angles. */
 THEOREM(with_the_classical_transport_the_octant_is_a_square_and_depends_on_the_point)
 {
     static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};

@@ -1,4 +1,5 @@
-/* Outlines of up to ten million corners, and cells from a billionth to a trillionth of their sphere, keep all their digits.
+/* Outlines of up to ten million corners, and cells from a billionth to a trillionth of their sphere, keep all their
+   digits.
    cc -I. tests/test_long.c -lm && ./a.out */
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
@@ -23,12 +24,12 @@ static double *room_for(size_t doubles)
     return room;
 }
 
-/* --- many corners ---------------------------------------------------------------------------------------------------- */
+/* --- many corners ------------------------------------------------------------------------------------------------- */
 
 THEOREM(ten_million_equal_turns_do_not_drift)
 {
-    /* Of n edges the first half has length 3/2, the rest 1. For odd p that is a geometric sum, g_p = 1/(1 - exp(2 pi i p/n)); for even p
-       nothing is left. Plainly summed phases are off by 1e-10 at the end. */
+    /* Of n edges the first half has length 3/2, the rest 1. For odd p that is a geometric sum, g_p = 1/(1 - exp(2 pi
+       i p/n)); for even p nothing is left. Plainly summed phases are off by 1e-10 at the end. */
     size_t n = 10 * million, i;
     double *length = room_for(n), *phase = room_for(n), g[2 * (P + 1)], mu[P + 1], theta[P + 1], off = 0;
     surfmink_functionals w;
@@ -114,8 +115,8 @@ THEOREM(a_staircase_of_a_million_right_angles_is_a_square_to_rank_4)
 
 THEOREM(a_circle_of_latitude_of_a_million_corners_has_the_turning_and_the_area_of_its_closed_form)
 {
-    /* Regular polygon at angle r from the pole: with half a central angle b = pi/n, tan(interior/2) = 1/(cos r tan b), and
-       sin(edge/2) = sin r sin b. */
+    /* Regular polygon at angle r from the pole: with half a central angle b = pi/n, tan(interior/2) = 1/(cos r tan
+       b), and sin(edge/2) = sin r sin b. */
     size_t n = million, i;
     double *xyz = room_for(3 * n), mu[P + 1], r = 0.7, b = PI / (double)n, turn;
     surfmink_functionals w;
@@ -158,7 +159,7 @@ THEOREM(a_flower_of_a_million_corners_has_the_values_of_the_smooth_curve)
     free(normal);
 }
 
-/* --- small and far away ---------------------------------------------------------------------------------------------- */
+/* --- small and far away ------------------------------------------------------------------------------------------- */
 
 THEOREM(in_the_plane_it_does_not_matter_where_a_cell_lies)
 {
@@ -205,8 +206,8 @@ THEOREM(on_an_embedded_surface_it_does_not_matter_where_a_cell_lies)
     }
 }
 
-/* Central projection from a small cell of the sphere to the plane that touches it is an isometry up to size^2, which is rounding below
-   1e-8. So a cell of the sphere has to say what its map says, to full accuracy. */
+/* Central projection from a small cell of the sphere to the plane that touches it is an isometry up to size^2, which
+   is rounding below 1e-8. So a cell of the sphere has to say what its map says, to full accuracy. */
 static void says_what_its_map_says(const double *xyz, const double *map, size_t n)
 {
     double mu[2][P + 1], g[2][2 * (P + 1)], theta[2][P + 1];
@@ -248,7 +249,8 @@ THEOREM(cells_at_the_pole_keep_all_digits_down_to_any_size)
 
 THEOREM(cells_anywhere_keep_all_digits_that_their_corners_have)
 {
-    /* About (3, 2, 1)/4 the directions (1, -1, -1) and (-1, 4, -5) are orthogonal to it and to each other, so corners are exact. */
+    /* About (3, 2, 1)/4 the directions (1, -1, -1) and (-1, 4, -5) are orthogonal to it and to each other, so
+       corners are exact. */
     chance c = {84};
     double xy[2 * MOST], xyz[3 * MOST];
     int trial, bits;

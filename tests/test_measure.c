@@ -6,7 +6,7 @@
 #include "harness.h"
 #include "shapes.h"
 
-/* --- conventions ---------------------------------------------------------------------------------------------------- */
+/* --- conventions -------------------------------------------------------------------------------------------------- */
 
 THEOREM(edge_i_leaves_corner_i_and_turning_i_is_the_turn_at_corner_i)
 {
@@ -46,8 +46,8 @@ THEOREM(the_octant_of_a_sphere_has_three_right_angles)
     CHECK_CLOSE(area, 4 * PI * 9 / 8, 3e-16);
 }
 
-/* Corners at 0, e and 2 e + t e', where e' is e turned by a right angle, turn by atan t. They are exact; so is e x (out - in), while
-   e x out would leave 1e-7 of that turn. Long smooth outlines consist of such corners. */
+/* Corners at 0, e and 2 e + t e', where e' is e turned by a right angle, turn by atan t. They are exact; so is e x
+   (out - in), while e x out would leave 1e-7 of that turn. Long smooth outlines consist of such corners. */
 THEOREM(a_nearly_straight_corner_between_equal_edges_turns_by_its_small_angle_to_all_digits)
 {
     static const double x[3] = {1, 2, 2}, y[3] = {2, 1, -2}; /* orthogonal, and to their normal, and all of length 3 */
@@ -71,7 +71,7 @@ THEOREM(a_nearly_straight_corner_between_equal_edges_turns_by_its_small_angle_to
     }
 }
 
-/* --- the same lengths and angles found another way ------------------------------------------------------------------ */
+/* --- the same lengths and angles found another way ---------------------------------------------------------------- */
 
 THEOREM(in_the_plane_a_turn_is_the_difference_of_two_edge_directions)
 {
@@ -125,7 +125,8 @@ THEOREM(on_the_sphere_edges_are_great_circles)
 
 THEOREM(the_sphere_is_an_embedded_surface_whose_normals_are_its_corners)
 {
-    /* The projections of a chord and of a great circle to the tangent plane have the same direction, whatever their length. */
+    /* The projections of a chord and of a great circle to the tangent plane have the same direction, whatever their
+       length. */
     chance c = {3};
     double xy[2 * MOST], xyz[3 * MOST], length[2][MOST], turning[2][MOST];
     int trial;
@@ -174,7 +175,8 @@ THEOREM(in_a_tilted_plane_only_the_part_of_an_edge_along_the_surface_turns)
 
 THEOREM(edges_may_be_steep_without_loss)
 {
-    /* A zigzag so high that edges rise at up to 89.999 degrees. The plane is spanned by (1, 2, 2) and (2, 1, -2), so corners are exact. */
+    /* A zigzag so high that edges rise at up to 89.999 degrees. The plane is spanned by (1, 2, 2) and (2, 1, -2), so
+       corners are exact. */
     static const double u[3] = {1, 2, 2}, v[3] = {2, 1, -2}, up[3] = {-2, 2, -1};
     chance c = {20};
     double xy[2 * MOST], xyz[3 * MOST], normal[3 * MOST], flat[2][MOST], steep[2][MOST], height;
@@ -271,7 +273,7 @@ THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
     }
 }
 
-/* --- Minkowski functionals ------------------------------------------------------------------------------------------ */
+/* --- Minkowski functionals ---------------------------------------------------------------------------------------- */
 
 THEOREM(the_functionals_are_area_length_and_total_turning)
 {
@@ -354,7 +356,7 @@ THEOREM(the_total_turn_is_two_pi_plus_the_area_in_the_hyperbolic_plane)
     }
 }
 
-/* --- areas ---------------------------------------------------------------------------------------------------------- */
+/* --- areas -------------------------------------------------------------------------------------------------------- */
 
 THEOREM(far_away_squares_keep_their_area_and_every_other_digit)
 {
@@ -398,7 +400,8 @@ THEOREM(the_area_of_a_plane_polygon_is_the_sum_of_its_triangles)
 
 THEOREM(tiny_cells_of_a_sphere_have_the_area_of_their_map)
 {
-    /* Near the pole the central projection stretches areas by 1 + 3/2 size^2, which is rounding for a size below 1e-8. */
+    /* Near the pole the central projection stretches areas by 1 + 3/2 size^2, which is rounding for a size below
+       1e-8. */
     chance c = {12};
     double xy[2 * MOST], xyz[3 * MOST], flat, area;
     surfmink_functionals w;
@@ -482,7 +485,7 @@ THEOREM(a_hemisphere_has_half_the_sphere_on_either_side)
     CHECK_CLOSE(fabs(area), 2 * PI * 4, 1e-15);
 }
 
-/* --- outlines that are drawn wrong as a whole ----------------------------------------------------------------------- */
+/* --- outlines that are drawn wrong as a whole --------------------------------------------------------------------- */
 
 THEOREM(reversal_negates_every_turn)
 {
@@ -593,7 +596,7 @@ THEOREM(more_than_a_hemisphere_is_clockwise_and_a_great_circle_is_neither)
         }
 }
 
-/* --- spikes --------------------------------------------------------------------------------------------------------- */
+/* --- spikes ------------------------------------------------------------------------------------------------------- */
 
 THEOREM(a_whisker_that_sticks_out_is_measured_and_one_that_sticks_in_is_refused)
 {
@@ -614,7 +617,8 @@ THEOREM(a_whisker_that_sticks_out_is_measured_and_one_that_sticks_in_is_refused)
 
 THEOREM(a_whisker_turns_by_plus_pi_wherever_it_points)
 {
-    /* There and back again, exactly: the sine of that turn is a zero whose sign depends on the direction and on the normal. */
+    /* There and back again, exactly: the sine of that turn is a zero whose sign depends on the direction and on the
+       normal. */
     static const double square[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
     chance c = {19};
     double xy[12], xyz[18], length[6], turning[6], scratch[12], radius = 1;

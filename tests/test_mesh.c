@@ -957,7 +957,7 @@ THEOREM(the_flower_on_refined_spheres_is_the_table_s_to_every_digit)
     table t;
     int rows = 0, k;
     run_study();
-    table_open(&t, "tests/data/paper_levelset_sphere.tsv");
+    table_open(&t, "examples/paper/data/levelset_sphere.tsv");
     while (table_next(&t)) {
         int b = table_text(&t, "mesh")[0] == 'o', level = (int)table_number(&t, "level");
         CASE("%s %d", table_text(&t, "mesh"), level);

@@ -8,7 +8,7 @@
 
 #define P 12
 
-/* --- point independence (3.1) --------------------------------------------------------------------------------------- */
+/* --- point independence (3.1) ------------------------------------------------------------------------------------- */
 
 /* Lemma (point independence of the eigenvalues), and of the angles up to the phase of the new edge 0. */
 THEOREM(eigenvalues_do_not_depend_on_the_first_corner)
@@ -43,7 +43,7 @@ THEOREM(eigenvalues_do_not_depend_on_the_first_corner)
     }
 }
 
-/* --- invariance (3.2) ----------------------------------------------------------------------------------------------- */
+/* --- invariance (3.2) --------------------------------------------------------------------------------------------- */
 
 static void same_shape(const double *a, const double *b, double within)
 {
@@ -145,8 +145,8 @@ THEOREM(in_the_hyperbolic_plane_moebius_maps_are_translations)
     }
 }
 
-/* Lemma (scaling invariance). A power of two only moves the exponent, so it may change no bit, however absurd the unit. (Where
-   there is an area it must not overflow.) */
+/* Lemma (scaling invariance). A power of two only moves the exponent, so it may change no bit, however absurd the
+   unit. (Where there is an area it must not overflow.) */
 static const int powers[] = {1, -1, 40, -40, 400, -400, -700, 500, 900};
 enum { POWERS = sizeof powers / sizeof *powers, POWERS_WITH_AREA = POWERS - 1 };
 
@@ -279,7 +279,7 @@ THEOREM(turned_round_twice_a_polygon_has_the_same_eigenvalues)
     }
 }
 
-/* --- geodesic polygons (3.3) ----------------------------------------------------------------------------------------- */
+/* --- geodesic polygons (3.3) -------------------------------------------------------------------------------------- */
 
 THEOREM(the_triangle_with_sides_3_4_5_has_its_closed_form)
 {
@@ -329,7 +329,7 @@ THEOREM(the_octant_is_a_perfect_triangle)
     CHECK_CLOSE(w.condition, 1, 2e-16);
 }
 
-/* --- regular polygons (3.4) ------------------------------------------------------------------------------------------ */
+/* --- regular polygons (3.4) --------------------------------------------------------------------------------------- */
 
 /* Theorem (eigenvalues of equal-angle polygons): mu_p = 1 if q divides p, else 0. */
 static void regular_polygons(surfmink_surface *surface, const double *centre, double distance, double within)
@@ -374,7 +374,8 @@ THEOREM(equal_angles_suffice_for_mu_one)
     for (trial = 0; trial < 200; ++trial) {
         size_t q = 4 + one_of(&c, 17), i, k;
         double x = 0, y = 0;
-        /* Sides 1 + sum_k a_k cos(2 pi k i/q + b_k), k >= 2, in directions 2 pi i/q: they close because k = 1 is missing. */
+        /* Sides 1 + sum_k a_k cos(2 pi k i/q + b_k), k >= 2, in directions 2 pi i/q: they close because k = 1 is
+           missing. */
         for (i = 0; i < q; ++i) side[i] = 1;
         for (k = 2; k <= q / 2; ++k) {
             double a = between(&c, 0, 1.8 / (double)q), b = between(&c, 0, 2 * PI);
@@ -443,9 +444,10 @@ THEOREM(a_rectangle_has_mu_4_of_a_square_and_the_elongation_of_its_sides)
     CHECK_NEAR(theta[2], 0, 1e-15); /* across the long sides: eigenvectors are co-normals, not axes of elongation */
 }
 
-/* --- stability (3.5) ------------------------------------------------------------------------------------------------- */
+/* --- stability (3.5) ---------------------------------------------------------------------------------------------- */
 
-/* A polygon on a surface, and the same with one corner more beside edge k: pushed out (side = 1) or in (-1) by a height. */
+/* A polygon on a surface, and the same with one corner more beside edge k: pushed out (side = 1) or in (-1) by a
+   height. */
 static void add_vertex(surfmink_surface *surface, const double *corner, size_t n, size_t k, double side, double height,
                        double *more)
 {

@@ -52,9 +52,11 @@ static void compare(const table *t, const surfmink_functionals *w, const double 
     }
 }
 
-static size_t points(const char *path, const char *which, double *corner, double *normal, double *length, double *turning)
+static size_t points(const char *path, const char *which, double *corner, double *normal, double *length,
+                     double *turning)
 {
-    static const char *const x[3] = {"x", "y", "z"}, *const n[3] = {"nx", "ny", "nz"}, *const l[1] = {"l"}, *const alpha[1] = {"alpha"};
+    static const char *const x[3] = {"x", "y", "z"}, *const n[3] = {"nx", "ny", "nz"}, *const l[1] = {"l"},
+                             *const alpha[1] = {"alpha"};
     size_t count = table_points(path, which, x, 3, MOST, corner);
     table_points(path, which, n, 3, MOST, normal);
     table_points(path, which, l, 1, MOST, length);
@@ -73,7 +75,8 @@ static void compare_edges(size_t n, const double *length, const double *turning,
 
 THEOREM(great_circle_polygons_of_every_size)
 {
-    double corner[3 * MOST], normal[3 * MOST], l[MOST], alpha[MOST], length[MOST], turning[MOST], mu[P + 1], g[2 * (P + 1)], area;
+    double corner[3 * MOST], normal[3 * MOST], l[MOST], alpha[MOST], length[MOST], turning[MOST], mu[P + 1],
+        g[2 * (P + 1)], area;
     surfmink_functionals w;
     table t;
     int cases = 0;
@@ -119,7 +122,8 @@ THEOREM(great_circle_polygons_through_callbacks)
 
 THEOREM(straight_chords_on_ellipsoids_and_tori)
 {
-    double corner[3 * MOST], normal[3 * MOST], l[MOST], alpha[MOST], length[MOST], turning[MOST], mu[P + 1], g[2 * (P + 1)];
+    double corner[3 * MOST], normal[3 * MOST], l[MOST], alpha[MOST], length[MOST], turning[MOST], mu[P + 1],
+        g[2 * (P + 1)];
     surfmink_functionals w;
     table t;
     int cases = 0;
@@ -173,7 +177,8 @@ THEOREM(flat_polygons_in_the_plane_and_in_space)
 
 THEOREM(geodesic_polygons_from_their_lengths_and_turning_angles)
 {
-    /* Geodesics of the ellipsoid and the torus are not the header's business: steps 2 to 4 take l and alpha as they are. */
+    /* Geodesics of the ellipsoid and the torus are not the header's business: steps 2 to 4 take l and alpha as they
+       are. */
     double corner[3 * MOST], normal[3 * MOST], l[MOST], alpha[MOST], mu[P + 1], g[2 * (P + 1)];
     surfmink_functionals w;
     table t;
@@ -199,7 +204,7 @@ THEOREM(geodesic_triangles_on_the_torus_of_the_paper)
     double l[3], alpha[3], g[14], mu[7], error, most = 0;
     table t;
     int p, rows = 0;
-    table_open(&t, "tests/data/paper_torus_triangles.tsv");
+    table_open(&t, "examples/paper/data/torus_triangles.tsv");
     while (table_next(&t)) {
         for (p = 0; p < 3; ++p) {
             l[p] = table_rank(&t, "l", p + 1);
@@ -228,7 +233,7 @@ THEOREM(the_octant_with_the_classical_transport)
     table t;
     int p, rows = 0;
     CHECK_OK(surfmink_edges_sphere(corner, 3, 1.0, length, turning, NULL));
-    table_open(&t, "tests/data/paper_triangle90.tsv");
+    table_open(&t, "examples/paper/data/triangle90.tsv");
     while (table_next(&t)) {
         double u = table_number(&t, "u");
         /* u = 1 is the end of the edge, where the next one starts. */
@@ -246,7 +251,7 @@ THEOREM(the_octant_with_the_classical_transport)
     NOTE("paper_triangle90: worst errors  mu %.1e", most);
 }
 
-/* --- smooth curves --------------------------------------------------------------------------------------------------- */
+/* --- smooth curves ------------------------------------------------------------------------------------------------ */
 
 /* L, S and all g_p of the polygon with n corners on a flower, t = 0 in the middle of edge 0. */
 enum { VALUES = 2 + 2 * P };
@@ -257,7 +262,8 @@ static void sample(const flower *f, size_t n, double *value)
     double g[2 * (P + 1)];
     surfmink_functionals w;
     size_t i;
-    for (i = 0; i < n; ++i) flower_point(f, 2 * PI * ((double)i - 0.5) / (double)n, corner + 3 * i, normal + 3 * i, NULL);
+    for (i = 0; i < n; ++i)
+        flower_point(f, 2 * PI * ((double)i - 0.5) / (double)n, corner + 3 * i, normal + 3 * i, NULL);
     CHECK_OK(surfmink_measure_embedded(corner, normal, n, P, NULL, g, &w, NULL));
     value[0] = w.length;
     value[1] = w.turning;
@@ -290,7 +296,8 @@ THEOREM(smooth_curves_are_the_limit_of_their_polygons)
         most[1] = fmax(most[1], fabs(value[4][1] - want));
         for (p = 1; p <= P; ++p) { /* g_p / L = mu_p exp(i p theta_p), in the co-normal frame at t = 0 */
             double mu = table_rank(&t, "mu_", p), angle = p * table_rank(&t, "theta_", p);
-            double re = value[4][2 * p] / value[4][0] - mu * cos(angle), im = value[4][2 * p + 1] / value[4][0] - mu * sin(angle);
+            double re = value[4][2 * p] / value[4][0] - mu * cos(angle),
+                   im = value[4][2 * p + 1] / value[4][0] - mu * sin(angle);
             CASE("%s, p = %d", table_text(&t, "case"), p);
             CHECK_NEAR(hypot(re, im), 0, 1e-10);
             most[2] = fmax(most[2], hypot(re, im));
@@ -301,7 +308,8 @@ THEOREM(smooth_curves_are_the_limit_of_their_polygons)
     NOTE("xsmooth, extrapolated: worst errors  L %.1e  S %.1e  g/L %.1e", most[0], most[1], most[2]);
 }
 
-/* The corners of the paper's tables 1 and 2: flower (0.7, 0.2, 3) about (pi/2, pi/4), equal arcs, the first at t = 0. */
+/* The corners of the paper's tables 1 and 2: flower (0.7, 0.2, 3) about (pi/2, pi/4), equal arcs, the first at t =
+   0. */
 static double paper_table(const char *path, const chart *surface, int geodesic)
 {
     static double corner[3 * 1024], normal[3 * 1024];
@@ -318,8 +326,10 @@ static double paper_table(const char *path, const chart *surface, int geodesic)
         size_t q = (size_t)table_number(&t, "q"), i;
         for (i = 0; i < q; ++i) flower_at(&ruler, (double)i / (double)q, corner + 3 * i, normal + 3 * i);
         CASE("q = %d", (int)q);
-        if (geodesic) CHECK_OK(surfmink_measure_sphere(corner, q, 1.0, 3, mu, NULL, &w, NULL));
-        else CHECK_OK(surfmink_measure_embedded(corner, normal, q, 3, mu, NULL, &w, NULL));
+        if (geodesic)
+            CHECK_OK(surfmink_measure_sphere(corner, q, 1.0, 3, mu, NULL, &w, NULL));
+        else
+            CHECK_OK(surfmink_measure_embedded(corner, normal, q, 3, mu, NULL, &w, NULL));
         CHECK_CLOSE(w.length, table_number(&t, "L_q"), 2e-14);
         CHECK_CLOSE(w.turning, table_number(&t, "kappa_q"), 1e-13);
         CHECK_NEAR(mu[3], table_number(&t, "mu3_std"), 1e-13);
@@ -332,8 +342,8 @@ THEOREM(the_polygons_of_the_papers_tables_with_its_section_3)
 {
     /* The paper prints values with the index of its section 4; the columns std are those of section 3. */
     static const chart unit_sphere = {ELLIPSOID, 1, 1, 1}, ellipsoid = {ELLIPSOID, 1.6, 1.3, 1};
-    double first = paper_table("tests/data/paper_table1_sphere_geodesic_reproduced.tsv", &unit_sphere, 1);
-    double second = paper_table("tests/data/paper_table2_ellipsoid_line_reproduced.tsv", &ellipsoid, 0);
+    double first = paper_table("examples/paper/data/table1_reference.tsv", &unit_sphere, 1);
+    double second = paper_table("examples/paper/data/table2_reference.tsv", &ellipsoid, 0);
     NOTE("paper tables 1 and 2: worst errors  mu_3 %.1e and %.1e", first, second);
 }
 

@@ -23,7 +23,7 @@ static size_t cell(chance *c, int trial, double *xyz, double *length, double *tu
     return n;
 }
 
-/* --- eigenvalues and angles ------------------------------------------------------------------------------------------ */
+/* --- eigenvalues and angles --------------------------------------------------------------------------------------- */
 
 THEOREM(eigenvalues_are_the_moduli_and_angles_the_arguments_of_the_components)
 {
@@ -103,9 +103,10 @@ THEOREM(there_are_p_angles_of_either_sign_half_a_step_apart)
     }
 }
 
-/* --- the eigenvalue equation ----------------------------------------------------------------------------------------- */
+/* --- the eigenvalue equation -------------------------------------------------------------------------------------- */
 
-/* Paper 2.4: W contracted with p - 1 copies of e is lambda e, up to the factor 2^(p-1); for every one of the 2 p eigenvectors. */
+/* Paper 2.4: W contracted with p - 1 copies of e is lambda e, up to the factor 2^(p-1); for every one of the 2 p
+   eigenvectors. */
 THEOREM(eigenvectors_solve_the_z_eigenvector_equation)
 {
     chance c = {42};
@@ -150,7 +151,7 @@ THEOREM(at_rank_2_eigenvectors_are_those_of_a_matrix)
     }
 }
 
-/* --- frames ---------------------------------------------------------------------------------------------------------- */
+/* --- frames ------------------------------------------------------------------------------------------------------- */
 
 THEOREM(the_co_normal_points_out_and_the_tangent_along_the_edge)
 {
@@ -206,7 +207,7 @@ THEOREM(frames_are_right_handed_and_orthonormal)
     }
 }
 
-/* --- eigenvectors ---------------------------------------------------------------------------------------------------- */
+/* --- eigenvectors ------------------------------------------------------------------------------------------------- */
 
 THEOREM(in_the_plane_eigenvectors_point_along_the_flat_tensor)
 {
@@ -320,7 +321,7 @@ THEOREM(eigenvectors_at_an_edge_do_not_depend_on_the_first_corner)
     }
 }
 
-/* --- all four steps -------------------------------------------------------------------------------------------------- */
+/* --- all four steps ----------------------------------------------------------------------------------------------- */
 
 static void four_steps(size_t n, double *length, double *turning, surfmink_functionals *w, double *g, double *mu)
 {

@@ -525,7 +525,7 @@ THEOREM(the_torus_triangles_of_the_paper_have_the_printed_lengths_angles_and_mu)
     surfmink_implicit torus = surfmink_torus(radius);
     table t;
     int rows = 0, p, i;
-    table_open(&t, "tests/data/paper_torus_triangles.tsv");
+    table_open(&t, "examples/paper/data/torus_triangles.tsv");
     while (table_next(&t)) {
         static const char *const l[3] = {"l1", "l2", "l3"}, *const alpha[3] = {"alpha1", "alpha2", "alpha3"};
         double corner[6], x[3], y[3], direction[2], found;

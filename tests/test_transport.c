@@ -26,7 +26,7 @@ static double sum_of(const double *a, size_t n)
     return sum;
 }
 
-/* --- phases --------------------------------------------------------------------------------------------------------- */
+/* --- phases ------------------------------------------------------------------------------------------------------- */
 
 THEOREM(a_phase_is_the_turn_since_edge_0_scaled_so_that_one_round_is_two_pi)
 {
@@ -106,11 +106,12 @@ THEOREM(phases_may_take_the_place_of_the_turning_angles)
         }
 }
 
-/* --- angles, carried ------------------------------------------------------------------------------------------------ */
+/* --- angles, carried ---------------------------------------------------------------------------------------------- */
 
 THEOREM(carried_back_to_edge_0_a_co_normal_has_the_phase_of_its_edge)
 {
-    /* That is what a phase is (paper 2.3): the angle of the transported co-normal against the co-normal at the fiducial point. */
+    /* That is what a phase is (paper 2.3): the angle of the transported co-normal against the co-normal at the
+       fiducial point. */
     chance c = {24};
     double xyz[3 * MOST], length[MOST], turning[MOST], phase[MOST], carried;
     int trial, transport;
@@ -172,10 +173,10 @@ THEOREM(transport_there_and_on_is_transport_all_the_way_and_back_is_back)
     }
 }
 
-/* --- vectors in space, carried -------------------------------------------------------------------------------------- */
+/* --- vectors in space, carried ------------------------------------------------------------------------------------ */
 
-/* Parallel transport along great circles, from the middle of edge `from` to the middle of the next, without angles: it is the
-   rotation of space that moves one point to the other along the edge, once for each half edge. */
+/* Parallel transport along great circles, from the middle of edge `from` to the middle of the next, without angles:
+   it is the rotation of space that moves one point to the other along the edge, once for each half edge. */
 static void roll_on(const double *xyz, const double *length, size_t n, size_t from, double *vector)
 {
     size_t i;
@@ -204,7 +205,8 @@ THEOREM(parallel_transport_on_the_sphere_rolls_along_great_circles)
     }
 }
 
-/* Paper, figure (parallel-transport): carried round the octant a vector comes back turned by a right angle, or as it was. */
+/* Paper, figure (parallel-transport): carried round the octant a vector comes back turned by a right angle, or as it
+   was. */
 THEOREM(round_the_octant_a_vector_turns_by_a_right_angle_unless_corrected)
 {
     static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
