@@ -8,7 +8,6 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 passed=0 failed=0
-tab=$(printf '\t')
 
 # --- harness ----------------------------------------------------------------------------------------------------------
 
@@ -90,11 +89,11 @@ square() {
 
 # --- the table that comes out -----------------------------------------------------------------------------------------
 
-pi=3.141592653589793
 square > in
 run
-check "names of the columns" "$(head -n 1 out)" \
-    "$(printf 'id n status L S area mu_1 mu_2 mu_3 mu_4 mu_5 mu_6 theta_1 theta_2 theta_3 theta_4 theta_5 theta_6' | tr ' ' '\t')"
+check "names of the columns" "$(head -n 1 out | tr '\t' ' ')" \
+    "id n status L S area mu_1 mu_2 mu_3 mu_4 mu_5 mu_6 theta_1 theta_2 theta_3 theta_4 theta_5 theta_6"
+check "tabs between them" "$(head -n 1 out | tr -cd '\t' | wc -c | tr -d ' ')" 17
 measured "a square" id a
 check "a square has 4 corners" "$(field 1 n)" 4
 check "a square is ok" "$(field 1 status)" ok
@@ -122,8 +121,8 @@ near "octant: area" "$(field 1 area)" 1.5707963267948966
 near "octant: mu_3" "$(field 1 mu_3)" 1
 near "octant: mu_4" "$(field 1 mu_4)" 0
 for p in 1 2 3 4 5 6; do
-    check "theta_$p lies in (-pi/p, pi/p]" \
-        "$(awk -v t="$(field 1 theta_$p)" -v p=$p 'BEGIN { print (t == "" || (t > -3.1415926535897936 / p && t <= 3.1415926535897936 / p)) }')" 1
+    check "theta_$p lies in (-pi/p, pi/p]" "$(awk -v t="$(field 1 theta_$p)" -v p=$p -v pi=3.1415926535897936 '
+        BEGIN { print (t == "" || (t > -pi / p && t <= pi / p)) }')" 1
 done
 
 cat > octant.tsv << 'END'
@@ -187,17 +186,22 @@ printf 'cell x y\ra 0 0\ra 1 0\ra 1 1\r' > in
 run
 measured "lone CR" n 3
 awk 'BEGIN { printf "cell x y"; for (i = 0; i < 20000; ++i) printf " c%d", i; print ""
-             for (k = 0; k < 3; ++k) { printf "a %d %d", (k > 0), (k > 1); for (i = 0; i < 20000; ++i) printf " %d", i; print "" } }' > in
+             for (k = 0; k < 3; ++k) {
+                 printf "a %d %d", (k > 0), (k > 1)
+                 for (i = 0; i < 20000; ++i) printf " %d", i
+                 print ""
+             } }' > in
 run
 measured "lines of 100 kB" n 3
-awk 'BEGIN { print "cell x y"; n = 50000; for (k = 0; k < n; ++k) printf "a %.17g %.17g\n", cos(6.283185307179586 * k / n), sin(6.283185307179586 * k / n) }' > in
+awk 'BEGIN { print "cell x y"; n = 50000; step = 6.283185307179586 / n
+             for (k = 0; k < n; ++k) printf "a %.17g %.17g\n", cos(step * k), sin(step * k) }' > in
 run
 measured "50000 corners" n 50000
 printf 'cell x y\na 0x0p0 0e5\na +1 0\na 1.0 10E-1\n' > in
 run
 near "numbers in all notations of C" "$(field 1 area)" 0.5
 square > in
-LC_ALL=de_DE.UTF-8 run
+env LC_ALL=de_DE.UTF-8 "$surfmink" in > out
 near "the decimal point does not depend on the locale" "$(field 1 L)" 4
 
 # --- the first corner, repeated ---------------------------------------------------------------------------------------
@@ -504,9 +508,11 @@ near "mu_4 of a face" "$(field 6 mu_4)" 1
 check "embedded: no area" "$(column area | tr -d ' ')" ""
 near "the normals of a cube's corners make of each right angle a turn by pi/3" "$(field 1 S)" 4.1887902047863905
 run cube.off --surface sphere
-near "six faces tile the sphere" "$(column area | awk '{ print $1 + $2 + $3 + $4 + $5 + $6 }' OFMT=%.17g)" 12.566370614359172
+near "six faces tile the sphere" \
+    "$(column area | awk '{ printf "%.17g", $1 + $2 + $3 + $4 + $5 + $6 }')" 12.566370614359172
 run cube.off --surface plane
-check "seen from above, four faces vanish, one shows its back" "$(column status | tr ' ' '\n' | sort | uniq -c | tr -s ' \n' ' ')" " 1 clockwise 4 coincident_corners 1 ok "
+check "seen from above, four faces vanish, one shows its back" \
+    "$(column status | tr ' ' '\n' | sort | uniq -c | tr -s ' \n' ' ')" " 1 clockwise 4 coincident_corners 1 ok "
 has "a refused face: its line" err "cube.off:13: "
 { echo 'OFF 3 1 0'; printf '0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'; } > flat.OFF
 run flat.OFF
@@ -577,12 +583,14 @@ check "JSON" "$(sed 's/"mu_\([12]\)":[0-9.e-]*/"mu_\1":0/g' out)" \
     '{"id":"a","n":4,"status":"ok","L":4,"S":6.3,"area":1,"mu_1":0,"mu_2":0,"theta_1":null,"theta_2":null}' 
 printf 'cell x y\na 0 0\na 1 0\n' > in
 run --json --max-rank 1 --directions
-check "JSON of a refused polygon" "$(cat out)" \
-    '{"id":"a","n":2,"status":"too_few_corners","L":null,"S":null,"area":null,"mu_1":null,"theta_1":null,"e_1_x":null,"e_1_y":null}'
-printf 'cell\tx\ty\n"\\\001\303\266\377/\t0\t0\n' > in
+check "JSON of a refused polygon" "$(sed 's/null/-/g' out)" \
+    '{"id":"a","n":2,"status":"too_few_corners","L":-,"S":-,"area":-,"mu_1":-,"theta_1":-,"e_1_x":-,"e_1_y":-}'
+has "undefined is null" out '"L":null,'
+printf 'cell\tx\ty\n"\\\001\303\266\377/\t0\t0\n\340\200\257\t0\t0\n' > in
 run --json --max-rank 1
 has "JSON: quotes, backslashes, control characters, UTF-8, and what is not" out \
     "$(printf '{"id":"\\"\\\\\\u0001\303\266\357\277\275/",')"
+has "JSON: an overlong slash is no UTF-8" out "$(printf '{"id":"\357\277\275\357\277\275\357\277\275",')"
 
 # --- summary, quiet ---------------------------------------------------------------------------------------------------
 
@@ -606,7 +614,8 @@ run --quiet
 check "quiet" "$status $(cat err)" "2 "
 square > in
 run --summary --max-rank 12
-has "mu_4, mu_8 and mu_12 of a square are equal: the smallest is the dominant one" err "p=4: 1  p=5: 0  p=6: 0  p=7: 0  p=8: 0"
+has "mu_4, mu_8 and mu_12 of a square are equal: the smallest is the dominant one" err \
+    "p=4: 1  p=5: 0  p=6: 0  p=7: 0  p=8: 0"
 cat > in << 'END'
 cell x y
 a 7.9734389939780144 6.0352523235827409
@@ -642,9 +651,12 @@ has "picture: ids are escaped" a.svg "<title>&#60;&#38;&#62;&#34;': mu_3 = "
 has "picture: mu_3 of the square is the dark end" a.svg '" fill="#2b2161"><title>a: mu_3 = 0.0000</title>'
 has "picture: what is refused is hatched" a.svg 'fill="url(#refused)" stroke="#8a8a8a"><title>bad: clockwise</title>'
 has "picture: legend of the hatching" a.svg ">refused</text>"
-check "picture: three strokes in the triangle, none in the square" "$(grep -c stroke-linecap a.svg) $(grep stroke-linecap a.svg | tr -cd L)" "1 LLL"
+check "picture: three strokes in the triangle, none in the square" \
+    "$(grep -c stroke-linecap a.svg) $(grep stroke-linecap a.svg | tr -cd L)" "1 LLL"
 run --svg a.svg --quiet
 has "picture: mu_2 by default" a.svg "<title>a: mu_2 = 0.0000</title>"
+run --svg a.svg --quiet --max-rank 1
+has "picture: mu_1 where there is no mu_2" a.svg "<title>a: mu_1 = 0.0000</title>"
 run --svg none/a.svg --quiet
 stopped "picture: nowhere to put it" "none/a.svg: "
 run --svg a.svg --view 1,0,0
@@ -659,24 +671,28 @@ done >> in
 seen() {
     sed -n 's/.*<title>\([^:]*\):.*/\1/p' a.svg | tr '\n' ' '
 }
+# The path of an outline in the picture.
+path() {
+    sed -n "s/<path d=\"\([^\"]*\)\".*<title>$1:.*/\1/p" a.svg
+}
 run --svg a.svg --view 10,0
 check "the far side of a sphere is hidden" "$(seen)" "c0 c60 c300 "
 run --svg a.svg --view=-1,0,0
 check "a direction, and --view=-1" "$(seen)" "c120 c180 c240 "
 run --svg a.svg --view 33,0
 check "cut by the horizon" "$(seen)" "c0 c60 c120 c300 "
-check "the cut ends at the rim" "$(sed -n 's/<path d="\([^"]*\)".*c300:.*/\1/p' a.svg | tr 'MLZ' '\n\n\n' | awk '
-    NF == 2 { r = sqrt(($1 - 380) ^ 2 + ($2 - 380) ^ 2); if (r > most) most = r } END { print (most > 358 && most < 358.6) }')" 1
-# The path of an outline in the picture.
-path() {
-    sed -n "s/<path d=\"\([^\"]*\)\".*<title>$1:.*/\1/p" a.svg
-}
+check "the cut ends at the rim" "$(path c300 | tr 'MLZ' '\n\n\n' | awk '
+    NF == 2 { r = sqrt(($1 - 380) ^ 2 + ($2 - 380) ^ 2); if (r > most) most = r }
+    END { print (most > 358 && most < 358.6) }')" 1
 run --svg a.svg --view 0,0
 check "east is right" "$(path c60 | tr 'MLZ' '   ' | awk '{ print ($1 > 600) }')" 1
 printf 'ring lon lat\no 0 0\no 90 0\no 0 90\n' > in
 run --svg a.svg --view 45,30
-check "edges are great circles, not chords: a point every 2 degrees" "$(path o | tr -cd L | wc -c | awk '{ print ($1 >= 134) }')" 1
-check "north is up" "$(path o | tr 'MLZ' '\n\n\n' | awk 'NF == 2 && (n++ == 0 || $2 < top) { top = $2 } END { print (top < 100) }')" 1
+check "edges are great circles, not chords: a point every 2 degrees" \
+    "$(path o | tr -cd L | wc -c | awk '{ print ($1 >= 134) }')" 1
+check "north is up" "$(path o | tr 'MLZ' '\n\n\n' | awk '
+    NF == 2 && (n++ == 0 || $2 < top) { top = $2 }
+    END { print (top < 100) }')" 1
 # A letter C, its arms to the east; what is seen of it is one ring from the west and two from the east.
 cat > in << 'END'
 ring lon lat
@@ -720,8 +736,8 @@ check "one face of a cube" "$(seen)" "1 "
 run --help
 check "help: exit status" "$status" 0
 check "help leads with examples" "$(sed -n 3p out)" EXAMPLES
-for option in surface radius max-rank transport smooth reverse merge digits directions json svg color-by view summary quiet \
-    help version; do
+for option in surface radius max-rank transport smooth reverse merge digits directions json svg color-by view \
+    summary quiet help version; do
     has "help explains --$option" out "  --$option"
 done
 run --version

@@ -78,8 +78,8 @@ THEOREM(every_status_has_its_own_sentence_and_word)
 
 /* --- outlines that are wrong whatever the surface ----------------------------------------------------------------- */
 
-/* The four kinds of surfaces behind one call, so that what is true of all is said once. dim = 2: the plane, or the
-   plane by callbacks; dim = 3: sphere, or embedded with its corners as normals. */
+/* The four kinds of surfaces behind one call, so that what is true of all is said once: the plane, the sphere, the same
+   with its corners as normals, and the plane by callbacks. */
 enum kind { PLANE, SPHERE, EMBEDDED, SURFACE, KINDS };
 static const char *const kind_name[KINDS] = {"plane", "sphere", "embedded", "surface"};
 
@@ -177,18 +177,31 @@ THEOREM(neighbours_that_coincide_are_blamed)
         }
 }
 
+THEOREM(on_the_sphere_one_direction_is_one_point_however_far_off)
+{
+    double corner[12] = {1, 2, 3, 0, 0, 0, -2, 1, 2, -1, -2, 2};
+    int factor;
+    size_t k;
+    for (factor = 1; factor < 200; ++factor) { /* whole numbers, so that the direction is the same to the bit */
+        for (k = 0; k < 3; ++k) corner[3 + k] = factor * corner[k];
+        CASE("times %d", factor);
+        BLAMES_EITHER(measure(SPHERE, corner, 4, 3), SURFMINK_COINCIDENT_CORNERS, 0, 1);
+        BLAMES_EITHER(edges(SPHERE, corner, 4), SURFMINK_COINCIDENT_CORNERS, 0, 1);
+        for (k = 0; k < 3; ++k) corner[3 + k] *= -1;
+        BLAMES_EITHER(edges(SPHERE, corner, 4), SURFMINK_ANTIPODAL_CORNERS, 0, 1);
+    }
+}
+
 THEOREM(corners_may_meet_again_if_they_are_not_neighbours)
 {
-    double corner[15];
+    double corner[18];
     int kind;
-    for (kind = 0; kind < KINDS;
-         ++kind) { /* a whisker: from corner 4 to the place of corner 0 and on to a second pentagon */
+    for (kind = 0; kind < KINDS; ++kind) {
         size_t stride = pentagon((enum kind)kind, corner);
-        double twice[18];
-        memcpy(twice, corner, 5 * stride * sizeof *corner);
-        memcpy(twice + 5 * stride, corner + 3 * stride, stride * sizeof *corner); /* 0 1 2 3 4 3: a spike at 4 */
+        memcpy(corner + 5 * stride, corner + 3 * stride, stride * sizeof *corner); /* 0 1 2 3 4 3, a whisker at 4 */
         CASE("%s", kind_name[kind]);
-        CHECK_OK(edges((enum kind)kind, twice, 6));
+        CHECK_OK(edges((enum kind)kind, corner, 6));
+        CHECK_NEAR(out.turning[4], PI, 0);
     }
 }
 
@@ -897,6 +910,7 @@ int main(void)
     PROVE(fewer_than_three_corners_are_too_few);
     PROVE(a_corner_that_is_not_finite_is_blamed);
     PROVE(neighbours_that_coincide_are_blamed);
+    PROVE(on_the_sphere_one_direction_is_one_point_however_far_off);
     PROVE(corners_may_meet_again_if_they_are_not_neighbours);
     PROVE(clockwise_outlines_are_named);
     PROVE(a_rank_is_not_negative);

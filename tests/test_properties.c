@@ -101,8 +101,7 @@ THEOREM(about_the_axis_of_a_torus_rotation_is_translation_and_round_its_tube_it_
     double xyz[3 * 8], normal[3 * 8], mu[3][P + 1], angle;
     int shift;
     for (angle = 0; angle < 6; angle += 0.7) {
-        for (shift = 0; shift < 3;
-             ++shift) { /* where it is; along the flow; and round the tube, where curvature differs */
+        for (shift = 0; shift < 3; ++shift) { /* where it is; along the flow; round the tube, where curvature differs */
             size_t i;
             for (i = 0; i < 8; ++i) {
                 double u = 0.4 * cos(2 * PI * (double)i / 8), v = 0.2 * sin(2 * PI * (double)i / 8);

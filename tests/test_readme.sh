@@ -1,6 +1,7 @@
 #!/bin/sh
-# test_readme.sh BUILD CC: does the README tell the truth? Every ```c block is compiled, every ```sh block is run, with the
-# commands in BUILD; what they print must be the ```text block that follows. The quick start of the header is compiled too.
+# test_readme.sh BUILD CC: does the README tell the truth? Every ```c block is compiled, every ```sh block is run, with
+# the commands in BUILD; what they print must be the ```text block that follows. The quick start of the header is
+# compiled too.
 build=$1 cc=$2
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -20,7 +21,13 @@ verdict() { # verdict NAME STATUS: with the outputs in $work/want and $work/got
 # Cuts a page into blocks: block.1.c, block.1.text, block.2.sh, ...
 cut_blocks() {
     awk -v at="$work/block" '
-        /^```[a-z]+$/ { kind = substr($0, 4); if (kind != "text") number++; file = at "." number "." kind; printf "" > file; next }
+        /^```[a-z]+$/ {
+            kind = substr($0, 4)
+            if (kind != "text") number++
+            file = at "." number "." kind
+            printf "" > file
+            next
+        }
         /^```$/ { if (file) close(file); file = ""; next }
         file { print > file }' "$1"
 }
@@ -32,7 +39,8 @@ for page in README.md; do
         block=${text%.text}
         cp "$text" "$work/want"
         if [ -f "$block.c" ]; then
-            $cc -std=c99 -I. "$block.c" -o "$work/program" -lm > "$work/got" 2>&1 && "$work/program" > "$work/got" 2>&1
+            $cc -std=c99 -I. "$block.c" -o "$work/program" -lm > "$work/got" 2>&1 &&
+                "$work/program" > "$work/got" 2>&1
             verdict "$page, program ${block##*.}" $?
         else
             sh "$block.sh" > "$work/got" 2>&1
@@ -44,7 +52,9 @@ done
 { # the quick start in the header, with a main around it
     echo '#include <stdio.h>'
     awk '/^   QUICK START/ { on = 1; next } /^   DATA FLOW/ { exit } on { sub(/ *\/\/.*/, ""); print }' surfmink.h |
-        awk '/#/ { print; next } /[^ ]/ && !main { print "int main(void)\n{"; main = 1 } { print } END { print "return 0; }" }'
+        awk '/[^ ]/ && !/#/ && !main { print "int main(void)\n{"; main = 1 }
+             { print }
+             END { print "return 0; }" }'
 } > "$work/quick.c"
 echo "mu_3 = 1.000, mu_4 = 0.000" > "$work/want"
 $cc -std=c99 -I. "$work/quick.c" -o "$work/quick" -lm > "$work/got" 2>&1 && "$work/quick" > "$work/got" 2>&1

@@ -33,7 +33,8 @@ static void in_space(const surfmink_implicit *surface, const double *x, const do
     for (k = 0; k < 3; ++k) vector[k] = direction[0] * frame[k] + direction[1] * frame[3 + k];
 }
 
-/* Random surfaces: `bent` 0 nearly round, 1 bent, 2 strongly bent (axes up to 1 : 10, a torus with a hole of a tenth). */
+/* Random surfaces: `bent` 0 nearly round, 1 bent, 2 strongly bent (axes up to 1 : 10, a torus with a hole of a
+   tenth). */
 static surfmink_implicit random_surface(chance *c, int bent, double *shape)
 {
     static const double stretch[3] = {1.5, 3, 10}, tube[3] = {0.3, 0.6, 0.9};
@@ -51,8 +52,10 @@ static void random_point(chance *c, const surfmink_implicit *surface, double *x)
 {
     const double *shape = (const double *)surface->shape;
     double u = between(c, 0.1, PI - 0.1), v = between(c, -PI, PI);
-    if (surface->f == surfmink_torus_f) surfmink_torus_point(shape, 2 * u, v, x);
-    else surfmink_ellipsoid_point(shape, u, v, x);
+    if (surface->f == surfmink_torus_f)
+        surfmink_torus_point(shape, 2 * u, v, x);
+    else
+        surfmink_ellipsoid_point(shape, u, v, x);
 }
 
 /* Shorter geodesics than this are the only shortest ones on a random surface: less than pi / sqrt(max K), and less than
@@ -66,7 +69,7 @@ static double safe_length(const surfmink_implicit *surface)
     return 0.9 * PI * s[0] * s[1] * s[2] / (longest * longest);
 }
 
-/* --- normals and curvature ------------------------------------------------------------------------------------------ */
+/* --- normals and curvature ---------------------------------------------------------------------------------------- */
 
 THEOREM(normals_and_curvature_of_ellipsoid_and_torus_are_the_closed_forms)
 {
@@ -104,14 +107,17 @@ THEOREM(normals_and_curvature_of_ellipsoid_and_torus_are_the_closed_forms)
     }
 }
 
-/* --- geodesics with closed forms ------------------------------------------------------------------------------------ */
+/* --- geodesics with closed forms ---------------------------------------------------------------------------------- */
 
 THEOREM(on_an_ellipsoid_with_equal_axes_exp_and_log_are_those_of_the_sphere)
 {
     chance c = {12};
     int trial, k;
     for (trial = 0; trial < 600; ++trial) {
-        double radius = trial % 3 == 0 ? 1 : trial % 3 == 1 ? 6371.0 : 1e-6, axis[3], x[3], y[3], z[3], vector[3], want[3];
+        double radius = trial % 3 == 0   ? 1
+                        : trial % 3 == 1 ? 6371.0
+                                         : 1e-6,
+               axis[3], x[3], y[3], z[3], vector[3], want[3];
         double length = 0, direction[2], angle = between(&c, -PI, PI);
         double reach = trial % 2 ? between(&c, 0.01, 3.1) : pow(10, between(&c, -12, 0));
         surfmink_implicit sphere = surfmink_ellipsoid(axis);
@@ -169,8 +175,8 @@ THEOREM(the_principal_sections_of_an_ellipsoid_are_geodesics_of_known_length)
         }
 }
 
-/* Position and velocity at several lengths along one geodesic; the velocity is the direction of the log to a point a bit
-   further on. */
+/* Position and velocity at several lengths along one geodesic; the velocity is the direction of the log to a point a
+   bit further on. */
 static void follow(const surfmink_implicit *surface, const double *x, const double *direction, double s, double ahead,
                    double *point, double *velocity)
 {
@@ -182,7 +188,8 @@ static void follow(const surfmink_implicit *surface, const double *x, const doub
     in_space(surface, point, along, velocity);
 }
 
-/* Clairaut: on a surface of revolution, distance from the axis times the sine of the angle to the meridian is constant. */
+/* Clairaut: on a surface of revolution, distance from the axis times the sine of the angle to the meridian is
+   constant. */
 THEOREM(clairauts_relation_holds_on_the_torus_and_on_spheroids)
 {
     chance c = {13};
@@ -275,7 +282,7 @@ THEOREM(distances_on_the_earth_are_those_of_karneys_test_set)
     }
 }
 
-/* --- exp and log ------------------------------------------------------------------------------------------------------ */
+/* --- exp and log -------------------------------------------------------------------------------------------------- */
 
 THEOREM(exp_of_log_is_the_other_point)
 {
@@ -287,7 +294,8 @@ THEOREM(exp_of_log_is_the_other_point)
         surfmink_implicit surface = random_surface(&c, bent, shape);
         CASE("trial %d: shape %g %g %g", trial, shape[0], shape[1], shape[2]);
         random_point(&c, &surface, x);
-        for (size = pow(10, between(&c, -9, 0)), k = 0; k < 3; ++k) y[k] = x[k] + size * between(&c, -0.3, 0.3) * shape[1];
+        for (size = pow(10, between(&c, -9, 0)), k = 0; k < 3; ++k)
+            y[k] = x[k] + size * between(&c, -0.3, 0.3) * shape[1];
         CHECK_OK(surfmink_implicit_project(&surface, y, y));
         CHECK_OK(surfmink_implicit_log(&surface, x, y, &length, direction));
         CHECK_OK(surfmink_implicit_exp(&surface, x, direction, length, z));
@@ -337,7 +345,8 @@ THEOREM(log_from_the_other_end_is_the_same_geodesic)
 
 THEOREM(small_shapes_keep_all_their_digits)
 {
-    double axis[3] = {1.6, 1.3, 1.0}, corner[3 * 5], normal[3 * 5], scratch[10], length[5], turning[5], flat[5], turn[5], size;
+    double axis[3] = {1.6, 1.3, 1.0}, corner[3 * 5], normal[3 * 5], scratch[10], length[5], turning[5], flat[5],
+           turn[5], size;
     surfmink_implicit body = surfmink_ellipsoid(axis);
     surfmink_surface surface = surfmink_implicit_surface(&body);
     size_t i;
@@ -407,7 +416,8 @@ THEOREM(a_surface_that_is_turned_in_space_has_the_same_geodesics)
     chance c = {27};
     int trial, k;
     for (trial = 0; trial < 60; ++trial) {
-        double shape[12], x[3], y[3], there[6], length[2] = {0, 1}, direction[2], vector[3], other[3], curvature[2] = {0, 1};
+        double shape[12], x[3], y[3], there[6], length[2] = {0, 1}, direction[2], vector[3], other[3],
+                                                curvature[2] = {0, 1};
         surfmink_implicit body = surfmink_ellipsoid(shape), tilted;
         for (k = 0; k < 3; ++k) shape[k] = pow(3, between(&c, 0, 1));
         for (k = 0; k < 9; ++k) shape[3 + k] = k % 4 == 0;
@@ -458,13 +468,14 @@ THEOREM(points_off_the_surface_count_as_the_points_below_them)
     }
 }
 
-/* --- polygons ---------------------------------------------------------------------------------------------------------- */
+/* --- polygons ----------------------------------------------------------------------------------------------------- */
 
 THEOREM(geodesic_polygons_on_ellipsoid_and_torus_agree_with_50_digit_references)
 {
     static const char *const xyz[3] = {"x", "y", "z"}, *const measured[2] = {"l", "alpha"};
     static const char *const tangents[7] = {"t0x", "t0y", "t0z", "t1x", "t1y", "t1z", "l"};
-    double shape[3], corner[3 * 8], want[2 * 8], edge[7 * 8], scratch[16], length[8], turning[8], mu[13], theta[13], g[26];
+    double shape[3], corner[3 * 8], want[2 * 8], edge[7 * 8], scratch[16], length[8], turning[8], mu[13], theta[13],
+        g[26];
     surfmink_functionals w;
     table t;
     int cases = 0;
@@ -561,9 +572,9 @@ THEOREM(the_torus_triangles_of_the_paper_have_the_printed_lengths_angles_and_mu)
     CHECK_EQUAL(rows, 35);
 }
 
-/* Integral of K over a polygon, from the chart: with F the integral of K sqrt(det g) over u from u_0, Green's theorem makes
-   it the integral of F dv along the edges. Both are done by Gauss's rule of 5 points. Only points and directions of the
-   edges come from exp and log. */
+/* Integral of K over a polygon, from the chart: with F the integral of K sqrt(det g) over u from u_0, Green's theorem
+   makes it the integral of F dv along the edges. Both are done by Gauss's rule of 5 points. Only points and
+   directions of the edges come from exp and log. */
 static const double gauss_node[5] = {-0.90617984593866399280, -0.53846931010568309104, 0, 0.53846931010568309104,
                                      0.90617984593866399280};
 static const double gauss_weight[5] = {0.23692688505618908751, 0.47862867049936646804, 0.56888888888888888889,
@@ -652,7 +663,7 @@ THEOREM(on_a_round_ellipsoid_a_regular_polygon_has_mu_one_exactly_at_multiples_o
     }
 }
 
-/* --- which geodesic ---------------------------------------------------------------------------------------------------- */
+/* --- which geodesic ----------------------------------------------------------------------------------------------- */
 
 THEOREM(the_chart_of_the_torus_chooses_how_often_an_edge_goes_round)
 {
@@ -696,7 +707,8 @@ THEOREM(the_chart_of_the_torus_chooses_how_often_an_edge_goes_round)
 
 THEOREM(among_several_geodesics_log_finds_the_shortest_and_log_near_the_one_next_to_the_guess)
 {
-    /* Two points on the rim of a lens, near the ends of its long axis: over the top, and by symmetry below, it is short. */
+    /* Two points on the rim of a lens, near the ends of its long axis: over the top, and by symmetry below, it is
+       short. */
     double axis[3] = {3, 2, 0.5}, x[3], y[3], length, direction[2], over, back[2], frame[9];
     surfmink_implicit lens = surfmink_ellipsoid(axis);
     surfmink_ellipsoid_point(axis, PI / 2 - 0.01, 0.02, x);
@@ -739,7 +751,7 @@ THEOREM(a_point_on_the_other_side_of_a_thin_body_is_not_mistaken_for_one_that_is
     }
 }
 
-/* --- failure has a name ------------------------------------------------------------------------------------------------ */
+/* --- failure has a name ------------------------------------------------------------------------------------------- */
 
 static int log_status(const surfmink_implicit *surface, const double *x, const double *y)
 {
@@ -825,8 +837,10 @@ THEOREM(next_to_a_conjugate_point_log_still_hits)
         length = (low + high) / 2;
         direction[0] = from[0], direction[1] = from[1];
         CHECK_OK(surfmink_implicit_exp(&body, x, direction, length, y));
-        if (surfmink_implicit_log_near(&body, x, y, &length, direction, NULL) == SURFMINK_OK) low = (low + high) / 2;
-        else high = (low + high) / 2;
+        if (surfmink_implicit_log_near(&body, x, y, &length, direction, NULL) == SURFMINK_OK)
+            low = (low + high) / 2;
+        else
+            high = (low + high) / 2;
     }
     CHECK(low > 3 && high < 5);
     for (way = 1e-4; way > 2e-6; way /= 2) {
@@ -866,8 +880,10 @@ THEOREM(no_geodesic_leads_from_one_sheet_to_another)
 
 THEOREM(other_failures_have_names_too_and_change_nothing)
 {
-    double axis[3] = {1.6, 1.3, 1.0}, radius[2] = {2, 1}, x[3], y[3], direction[2] = {1, 0}, length = 1, point[3] = {7, 8, 9};
-    double nowhere[3] = {0, 0, 0}, lost[3], above[3], scratch[6], corner[9], mu[4] = {5, 5, 5, 5}, angles[2] = {0.1, 0.2};
+    double axis[3] = {1.6, 1.3, 1.0}, radius[2] = {2, 1}, x[3], y[3], direction[2] = {1, 0}, length = 1,
+           point[3] = {7, 8, 9};
+    double nowhere[3] = {0, 0, 0}, lost[3], above[3], scratch[6], corner[9], mu[4] = {5, 5, 5, 5},
+           angles[2] = {0.1, 0.2};
     surfmink_implicit body = surfmink_ellipsoid(axis), ring = surfmink_torus(radius), lie;
     surfmink_surface surface = surfmink_implicit_surface(&body), unrolled = surfmink_torus_chart(radius);
     size_t bad = 77;
@@ -908,12 +924,13 @@ THEOREM(other_failures_have_names_too_and_change_nothing)
     CHECK_STATUS(unrolled.log(unrolled.context, angles, angles, &length, direction), SURFMINK_COINCIDENT_CORNERS);
     /* Through the header the name comes back with the corner to blame. */
     for (k = 0; k < 3; ++k) corner[k] = x[k], corner[3 + k] = y[k], corner[6 + k] = -y[k];
-    CHECK_STATUS(surfmink_measure_surface(&surface, corner, 3, scratch, 3, mu, NULL, NULL, &bad), SURFMINK_ANTIPODAL_CORNERS);
+    CHECK_STATUS(surfmink_measure_surface(&surface, corner, 3, scratch, 3, mu, NULL, NULL, &bad),
+                 SURFMINK_ANTIPODAL_CORNERS);
     CHECK(bad == 1 || bad == 2);
     CHECK(mu[0] == 5 && mu[3] == 5);
 }
 
-/* --- the hyperbolic plane ---------------------------------------------------------------------------------------------- */
+/* --- the hyperbolic plane ----------------------------------------------------------------------------------------- */
 
 static void random_hyperbolic(chance *c, double *x)
 {
@@ -1016,8 +1033,10 @@ THEOREM(in_the_hyperbolic_plane_a_regular_polygon_has_mu_one_exactly_at_multiple
             CHECK_NEAR(w.turning, 2 * PI + area, inherent);
             /* Half of an inner angle has the tangent cot(pi/q) / cosh r. */
             inside = 2 * atan(1 / (tan(PI / (double)q) * cosh(r)));
-            if (r > 0.01) CHECK_NEAR(area, ((double)q - 2) * PI - (double)q * inside, inherent);
-            else CHECK_CLOSE(area, (double)q / 2 * r * r * sin(2 * PI / (double)q), inherent);
+            if (r > 0.01)
+                CHECK_NEAR(area, ((double)q - 2) * PI - (double)q * inside, inherent);
+            else
+                CHECK_CLOSE(area, (double)q / 2 * r * r * sin(2 * PI / (double)q), inherent);
         }
 }
 
@@ -1053,7 +1072,8 @@ THEOREM(mu_and_area_do_not_depend_on_where_in_the_hyperbolic_plane_a_polygon_lie
 
 THEOREM(points_that_are_not_in_the_hyperbolic_plane_are_refused)
 {
-    double x[2] = {0.1, 0.2}, rim[2] = {0, 1}, outside[2] = {1, 1}, lost[2], length = 7, direction[2] = {1, 0}, y[2] = {8, 9};
+    double x[2] = {0.1, 0.2}, rim[2] = {0, 1}, outside[2] = {1, 1}, lost[2], length = 7, direction[2] = {1, 0},
+           y[2] = {8, 9};
     double corner[6] = {0, 0, 0.5, 0, 0, 1.5}, area = 5;
     lost[0] = nan("");
     lost[1] = 0;

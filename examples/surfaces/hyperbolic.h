@@ -4,16 +4,16 @@
      double centre[2] = {0.3, -0.2}, corner[14];
      surfmink_regular_polygon(&plane, centre, 1.5, 0.0, 7, corner);  // mu_7 = 1, as in the flat plane
 
-   The Poincare disk: points z = x + i y with |z| < 1, lengths 2 |dz| / (1 - |z|^2), geodesics are circular arcs at a right
-   angle to the rim. It is not embedded in space: that is why log returns directions in a frame of its own, here the axes
-   of the disk. Lengths are in units of the radius of curvature: scale them by R where K = -1 / R^2.
+   The Poincare disk: points z = x + i y with |z| < 1, lengths 2 |dz| / (1 - |z|^2), geodesics are circular arcs at a
+   right angle to the rim. It is not embedded in space: that is why log returns directions in a frame of its own, here
+   the axes of the disk. Lengths are in units of the radius of curvature: scale them by R where K = -1 / R^2.
 
-   exp and log are closed forms: the isometry z -> (z - a) / (1 - conj(a) z) takes a to 0, where geodesics are straight, and
-   does not turn directions at a. Differences of corners are taken first, so small shapes keep all their digits; near the
-   rim those of 1 - |z| count: what is rounded off the corner is lost.
+   exp and log are closed forms: the isometry z -> (z - a) / (1 - conj(a) z) takes a to 0, where geodesics are
+   straight, and does not turn directions at a. Differences of corners are taken first, so small shapes keep all their
+   digits; near the rim those of 1 - |z| count: what is rounded off the corner is lost.
 
-   Errors: COINCIDENT_CORNERS; NOT_FINITE (a NaN, or exp so far out that the point rounds onto the rim, 36 from the middle);
-   BAD_ARGUMENT (a corner on the rim or outside). Every function is static inline. */
+   Errors: COINCIDENT_CORNERS; NOT_FINITE (a NaN, or exp so far out that the point rounds onto the rim, 36 from the
+   middle); BAD_ARGUMENT (a corner on the rim or outside). Every function is static inline. */
 #ifndef SURFMINK_HYPERBOLIC_H
 #define SURFMINK_HYPERBOLIC_H
 
@@ -52,7 +52,8 @@ static inline int hyperbolic__seen_from(const double *x, const double *y, double
     return SURFMINK_OK;
 }
 
-/* log as surfmink.h wants it: length 2 arsinh(|y - x| / sqrt((1 - |x|^2) (1 - |y|^2))), direction in the disk's axes. */
+/* log as surfmink.h wants it: length 2 arsinh(|y - x| / sqrt((1 - |x|^2) (1 - |y|^2))), direction in the disk's
+   axes. */
 static inline int surfmink_hyperbolic_log(void *context, const double *x, const double *y, double *length,
                                           double direction[2])
 {
@@ -74,13 +75,15 @@ static inline int surfmink_hyperbolic_exp(void *context, const double *x, const 
 {
     double room = hyperbolic__room(x), reach = tanh(length / 2), w[2], denominator[2], move[2], left;
     (void)context;
-    if (!(room <= 1) || !(fabs(reach) <= 1) || !(hypot(direction[0], direction[1]) < HUGE_VAL)) return SURFMINK_NOT_FINITE;
+    if (!(room <= 1) || !(fabs(reach) <= 1) || !(hypot(direction[0], direction[1]) < HUGE_VAL))
+        return SURFMINK_NOT_FINITE;
     if (!(room > 0)) return SURFMINK_BAD_ARGUMENT;
     w[0] = reach * direction[0];
     w[1] = reach * direction[1];
     denominator[0] = 1 + (x[0] * w[0] + x[1] * w[1]);
     denominator[1] = x[0] * w[1] - x[1] * w[0];
-    left = room / (denominator[0] * denominator[0] + denominator[1] * denominator[1]) / cosh(length / 2) / cosh(length / 2);
+    left = room / (denominator[0] * denominator[0] + denominator[1] * denominator[1]) / cosh(length / 2) /
+           cosh(length / 2);
     if (!(left > 1e-15)) return SURFMINK_NOT_FINITE; /* 1 - |y|^2, which could not be told from 0 */
     hyperbolic__divide(w, denominator, move);
     y[0] = x[0] + room * move[0];
@@ -99,8 +102,8 @@ static inline surfmink_surface surfmink_hyperbolic(void)
     return surface;
 }
 
-/* Area enclosed by a geodesic polygon, positive if counter-clockwise; S = 2 pi + area. A fan of triangles from corner 0,
-   each 2 arg(1 - a conj(b)) once corner 0 is moved to 0: relative accuracy about 1e-15 for the smallest shapes, too;
+/* Area enclosed by a geodesic polygon, positive if counter-clockwise; S = 2 pi + area. A fan of triangles from corner
+   0, each 2 arg(1 - a conj(b)) once corner 0 is moved to 0: relative accuracy about 1e-15 for the smallest shapes, too;
    absolute 1e-11 with sides of 12.
    Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT. */
 static inline int surfmink_hyperbolic_area(const double *corner, size_t n, double *area)

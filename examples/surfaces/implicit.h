@@ -10,42 +10,43 @@
      status = surfmink_measure_surface(&surface, corner, n, scratch, 6, mu, NULL, NULL, NULL);
 
    HOW IT WORKS
-     A geodesic x(s) bends only along the normal:  x'' = -(x'.H x') / |grad f|^2 grad f  with H the Hessian of f. Along it
-     the Jacobi field  m'' + K m = 0, m(0) = 0, m'(0) = 1  says how far the end moves across when the start turns:
-     by m per radian. So log is Newton's method: shoot, split the miss into a part along the geodesic (what its length
-     lacks) and a part across it (m times what its angle lacks), correct, shoot again.
+     A geodesic x(s) bends only along the normal:  x'' = -(x'.H x') / |grad f|^2 grad f  with H the Hessian of f.
+     Along it the Jacobi field  m'' + K m = 0, m(0) = 0, m'(0) = 1  says how far the end moves across when the start
+     turns: by m per radian. So log is Newton's method: shoot, split the miss into a part along the geodesic (what its
+     length lacks) and a part across it (m times what its angle lacks), correct, shoot again.
      Steps are Gauss collocation of order 16 (8 nodes, solved by fixed-point sweeps), of a length that adapts.
 
    WHICH GEODESIC
-     surfmink_implicit_log        the shortest one that it finds; what the callbacks use. Between near corners that is the
-                                  shortest one. An edge longer than 1.3 of its chord is shot in 16 directions.
+     surfmink_implicit_log        the shortest one that it finds; what the callbacks use. Between near corners that
+                                  is the shortest one. An edge longer than 1.3 of its chord is shot in 16 directions.
      surfmink_implicit_log_near   the one next to a first guess of yours (direction and length)
      surfmink_implicit_log_along  the one that a curve between the corners is pulled tight to: chooses a homotopy class
 
    CONVENTIONS
-     Points are x y z, stride 3. f < 0 inside: its gradient is the outer normal. Nothing depends on the unit of length or
-     on the size of f. Points off the surface are dropped onto it along the gradient before anything is measured.
+     Points are x y z, stride 3. f < 0 inside: its gradient is the outer normal. Nothing depends on the unit of length
+     or on the size of f. Points off the surface are dropped onto it along the gradient before anything is measured.
      Directions have two components in the frame (e1, e2) of surfmink_implicit_frame, (e1, e2, normal) right-handed.
 
    ERRORS
      SURFMINK_COINCIDENT_CORNERS   the corners are the same point of the surface: no direction
-     SURFMINK_ANTIPODAL_CORNERS    more than one shortest geodesic, or the geodesic passes a conjugate point (m <= 0 on the
-                                   way), beyond which it is not the shortest; also at m <= 1e-6 of its length, where the
-                                   direction begins to be noise
-     SURFMINK_CALLBACK_FAILED      no geodesic was found: Newton's method did not converge, as it cannot where K < 0 makes m
-                                   grow beyond 1e13, or log took 300 steps of about a radius of curvature, exp 30000
+     SURFMINK_ANTIPODAL_CORNERS    more than one shortest geodesic, or the geodesic passes a conjugate point (m <= 0
+                                   on the way), beyond which it is not the shortest; also at m <= 1e-6 of its length,
+                                   where the direction begins to be noise
+     SURFMINK_CALLBACK_FAILED      no geodesic was found: Newton's method did not converge, as it cannot where K < 0
+                                   makes m grow beyond 1e13, or log took 300 steps of about a radius of curvature,
+                                   exp 30000
      SURFMINK_ZERO_NORMAL          grad f vanishes where a geodesic or the drop onto the surface came by
      SURFMINK_NOT_FINITE           a NaN or an infinity, given or from f
      On error outputs are untouched.
 
    ACCURACY (tests/test_surfaces.c)
      Against 50-digit geodesics on ellipsoids and tori: length 3e-16 relative, direction 4e-16. Against the same code in
-     113-bit arithmetic, 2400 random pairs: length 6e-16 relative, direction 9e-16 (worst on ellipsoids of axes 1 : 10 over
-     half the body); edges of any size down to 1e-8 the same. Karney's distances on the Earth: to 1e-15.
-     Where several geodesics compete, the shortest may be missed. Of 1000 random pairs, shooting from the other end finds
-     another length in 0.1 % over half of ellipsoids of axes up to 1 : 10, in 3 % over the whole of them, and in 8 % over
-     the whole of a torus with a hole of a tenth; in none where edges are up to a radian of the chart. Use log_near or
-     log_along where that matters.
+     113-bit arithmetic, 2400 random pairs: length 6e-16 relative, direction 9e-16 (worst on ellipsoids of axes 1 : 10
+     over half the body); edges of any size down to 1e-8 the same. Karney's distances on the Earth: to 1e-15.
+     Where several geodesics compete, the shortest may be missed. Of 1000 random pairs, shooting from the other end
+     finds another length in 0.1 % over half of ellipsoids of axes up to 1 : 10, in 3 % over the whole of them, and in
+     8 % over the whole of a torus with a hole of a tenth; in none where edges are up to a radian of the chart. Use
+     log_near or log_along where that matters.
 
    Every function is static inline: include this file wherever it is needed, there is nothing to link but libm.
    No allocation, no globals; about 3 KiB of stack. Include surfmink.h first, or have it on the include path.      */
@@ -70,9 +71,15 @@ typedef void surfmink_implicit_path(const void *context, double t, double point[
 
 /* --- f and what follows from it at one point -------------------------------------------------------------------- */
 
-static inline double implicit__dot(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static inline double implicit__dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
-static inline double implicit__norm(const double *a) { return sqrt(implicit__dot(a, a)); }
+static inline double implicit__norm(const double *a)
+{
+    return sqrt(implicit__dot(a, a));
+}
 
 static inline void implicit__cross(const double *a, const double *b, double *out)
 {
@@ -189,9 +196,9 @@ static inline int surfmink_implicit_frame(const surfmink_implicit *surface, cons
 
 typedef struct implicit__flow {
     const surfmink_implicit *surface;
-    double origin[3];                               /* positions count from here: short edges keep their digits */
-    double step;                                    /* the step that was right last time, 0 if there was none */
-    int most;                                       /* steps of a shot, so that a wrong Hessian cannot keep us for hours */
+    double origin[3]; /* positions count from here: short edges keep their digits */
+    double step;      /* the step that was right last time, 0 if there was none */
+    int most;         /* steps of a shot, so that a wrong Hessian cannot keep us for hours */
     double node[IMPLICIT__NODES], weight[IMPLICIT__NODES];
     double once[IMPLICIT__NODES][IMPLICIT__NODES];  /* accelerations -> velocities at the nodes */
     double twice[IMPLICIT__NODES][IMPLICIT__NODES]; /* accelerations -> positions at the nodes */
@@ -381,11 +388,11 @@ static inline int implicit__shoot(implicit__flow *flow, const double *tangent, d
     return SURFMINK_OK;
 }
 
-/* --- exp and log --------------------------------------------------------------------------------------------------- */
+/* --- exp and log -------------------------------------------------------------------------------------------------- */
 
 /* exp: the point at a distance from x along a direction of the frame at x (normalised here; a negative length goes
    backwards). y may be the same array as x.
-   Errors: NOT_FINITE, ZERO_NORMAL, CALLBACK_FAILED, BAD_ARGUMENT (no direction).                                       */
+   Errors: NOT_FINITE, ZERO_NORMAL, CALLBACK_FAILED, BAD_ARGUMENT (no direction). */
 static inline int surfmink_implicit_exp(const surfmink_implicit *surface, const double x[3], const double direction[2],
                                         double length, double y[3])
 {
@@ -450,8 +457,8 @@ static inline void implicit__turn(const double *normal, double angle, double *ta
     for (k = 0; k < 3; ++k) tangent[k] = c * tangent[k] + s * left[k];
 }
 
-/* First guess: the circle through both points that is tangent to the surface in the first one (on a sphere: the answer).
-   Where the chord is upright, any direction is as good. */
+/* First guess: the circle through both points that is tangent to the surface in the first one (on a sphere: the
+   answer). Where the chord is upright, any direction is as good. */
 static inline void implicit__guess(const implicit__aim *aim, implicit__shot *shot)
 {
     const double *normal = aim->frame + 6;
@@ -472,8 +479,7 @@ static inline double implicit__clamp(double value, double limit)
 /* Newton's method from a first shot. A steady hand takes whole steps only and gives up when they are large: then the
    answer continues the first shot, rather than being any geodesic that meets the target. Shots over `longest` are none.
    enough: the miss, as a share of the length, that one last correction mends: its square is what that leaves. */
-static inline int implicit__hit(implicit__aim *aim, implicit__shot *shot, int steady, double enough,
-                                double longest)
+static inline int implicit__hit(implicit__aim *aim, implicit__shot *shot, int steady, double enough, double longest)
 {
     implicit__shot now = *shot, best = now;
     implicit__end end;
@@ -561,7 +567,8 @@ static inline int surfmink_implicit_log(const surfmink_implicit *surface, const 
     found = failure == SURFMINK_OK;
     if (!found || best.length > 1.3 * aim.chord) {
         /* All round, and on, until something is found: across a thin body the chord is far too short. Every other shot
-           starts with the chord's own length, for the circle is too long across a flat body, as the chord is round a ball. */
+           starts with the chord's own length, for the circle is too long across a flat body, as the chord is round a
+           ball. */
         for (turns = 1; turns < 16 || (turns < 80 && !found && failure != SURFMINK_ANTIPODAL_CORNERS); ++turns) {
             shot = guess;
             if (turns % 2) shot.length = aim.chord;
@@ -581,14 +588,16 @@ static inline int surfmink_implicit_log(const surfmink_implicit *surface, const 
     }
     if (!found) return failure;
     if (tie) return SURFMINK_ANTIPODAL_CORNERS;
-    if (start == x) status = implicit__tell(surface, x, aim.from, best.tangent, 1, direction);
-    else status = implicit__tell(surface, x, aim.to, best.arrival, -1, direction);
+    if (start == x)
+        status = implicit__tell(surface, x, aim.from, best.tangent, 1, direction);
+    else
+        status = implicit__tell(surface, x, aim.to, best.arrival, -1, direction);
     if (status == SURFMINK_OK) *length = best.length;
     return status;
 }
 
-static inline int implicit__answer(const implicit__aim *aim, const double *x, const double *y, const implicit__shot *shot,
-                                   double *length, double *direction, double *back)
+static inline int implicit__answer(const implicit__aim *aim, const double *x, const double *y,
+                                   const implicit__shot *shot, double *length, double *direction, double *back)
 {
     double there[2], here[2];
     int k, status = implicit__tell(aim->flow.surface, x, aim->from, shot->tangent, 1, there);
@@ -605,7 +614,7 @@ static inline int implicit__answer(const implicit__aim *aim, const double *x, co
 /* log next to a first guess: Newton's method from there, without a look at others. Chooses among several geodesics.
    length, direction  in: the guess (length > 0, direction not 0); out: the geodesic
    back        2      out: its direction at y, back to x; or NULL
-   Errors: as above; ANTIPODAL_CORNERS only for conjugate points; BAD_ARGUMENT (a guess that is none).                 */
+   Errors: as above; ANTIPODAL_CORNERS only for conjugate points; BAD_ARGUMENT (no guess). */
 static inline int surfmink_implicit_log_near(const surfmink_implicit *surface, const double x[3], const double y[3],
                                              double *length, double direction[2], double *back)
 {
@@ -619,19 +628,18 @@ static inline int surfmink_implicit_log_near(const surfmink_implicit *surface, c
     if (status != SURFMINK_OK) return status;
     status = implicit__arrive(&aim, x, y);
     if (status != SURFMINK_OK) return status;
-    for (k = 0; k < 3; ++k)
-        shot.tangent[k] = (direction[0] * aim.frame[k] + direction[1] * aim.frame[3 + k]) / size;
+    for (k = 0; k < 3; ++k) shot.tangent[k] = (direction[0] * aim.frame[k] + direction[1] * aim.frame[3 + k]) / size;
     shot.length = *length;
     status = implicit__hit(&aim, &shot, 0, 1e-10, HUGE_VAL);
     if (status != SURFMINK_OK) return status;
     return implicit__answer(&aim, x, y, &shot, length, direction, back);
 }
 
-/* log along a curve: of all geodesics from path(0) to path(1) the one that a short geodesic becomes while its end is led
-   along the curve. So it is homotopic to the curve, and a curve that comes back to its start gives a loop.
+/* log along a curve: of all geodesics from path(0) to path(1) the one that a short geodesic becomes while its end is
+   led along the curve. So it is homotopic to the curve, and a curve that comes back to its start gives a loop.
    length, direction  out, as for log
    back        2      out: its direction at path(1), back to path(0); or NULL
-   Errors: as above; ANTIPODAL_CORNERS if it meets a conjugate point on the way. Cost: some ten logs.                  */
+   Errors: as above; ANTIPODAL_CORNERS if it meets a conjugate point on the way. Cost: ten logs. */
 static inline int surfmink_implicit_log_along(const surfmink_implicit *surface, surfmink_implicit_path *path,
                                               const void *context, double *length, double direction[2], double *back)
 {
@@ -677,7 +685,7 @@ static inline int surfmink_implicit_log_along(const surfmink_implicit *surface, 
     return implicit__answer(&aim, x, y, &shot, length, direction, back);
 }
 
-/* --- for surfmink.h ------------------------------------------------------------------------------------------------ */
+/* --- for surfmink.h ----------------------------------------------------------------------------------------------- */
 
 static inline int implicit__log(void *context, const double *x, const double *y, double *length, double direction[2])
 {

@@ -1,14 +1,14 @@
 /* torus.h - the torus as a surface for surfmink.h - MIT or public domain, as surfmink.h
 
-     double radius[2] = {2.0, 1.375};                                // R from the axis to the tube's middle, r of the tube
+     double radius[2] = {2.0, 1.375};                // from the axis to the middle of the tube, of the tube
      surfmink_implicit ring = surfmink_torus(radius);
      surfmink_surface surface = surfmink_implicit_surface(&ring);    // corners x y z, edges are the shortest geodesics
      surfmink_surface chart = surfmink_torus_chart(radius);          // corners phi theta, see below
      surfmink_torus_point(radius, 0.6, 0.4, corner);                 // phi round the z axis, theta round the tube
 
    Two points of a torus are joined by many geodesics: once round the hole, twice, across. The chart chooses: its angles
-   are not reduced modulo 2 pi, and an edge is the geodesic that the straight segment in (phi, theta) is pulled tight to.
-   So the triangles of paper 5.1 are measured on the chart.
+   are not reduced modulo 2 pi, and an edge is the geodesic that the straight segment in (phi, theta) is pulled tight
+   to. So the triangles of paper 5.1 are measured on the chart.
 
    Normals, curvature, exp, log, accuracy and errors: implicit.h, which this file needs beside it. */
 #ifndef SURFMINK_TORUS_H
@@ -83,8 +83,8 @@ static inline int torus__log(void *context, const double *x, const double *y, do
     return SURFMINK_OK;
 }
 
-/* Angles are followed in pieces of less than half a turn, for the point alone does not tell how often it went round: that
-   many shots. At most 1000, else BAD_ARGUMENT. */
+/* Angles are followed in pieces of less than half a turn, for the point alone does not tell how often it went round:
+   that many shots. At most 1000, else BAD_ARGUMENT. */
 static inline int torus__exp(void *context, const double *x, const double direction[2], double length, double *y)
 {
     const double *radius = (const double *)context;

@@ -8,11 +8,16 @@
    plane and turns as their differences, areas on the sphere through stereographic projection. Corners are doubles and
    taken as exact; polygons that surfmink refuses are counted, not judged.
 
-   mu, angle and S are judged against 1 + condition (sum |alpha| / S), the area against how much its triangles cancel;
-   the exit status is 1 if one of the limits in `quantity` is exceeded. */
+   With the condition number c = (sum |alpha| + |2 pi - S|) / S, S is judged relative to c; mu and the angles against
+   1 + c in the plane, where S is 2 pi. Elsewhere S is a sum of rounded angles and wrong by eps c, relative to itself,
+   and phases of up to 2 pi c are multiples of 1 / S: there it takes (1 + c)^2. Areas are judged against how much their
+   triangles cancel. The exit status is 1 if one of the limits in `quantity` is exceeded. */
 #define SURFMINK_STATIC
 #include "surfmink.h"
 
+#if !defined(__SIZEOF_FLOAT128__) || (defined(__has_include) && !__has_include(<quadmath.h>))
+#error "accuracy.c needs quadruple precision: gcc with libquadmath, for instance on x86-64 or ppc64le"
+#endif
 #include <math.h>
 #include <quadmath.h>
 #include <stdint.h>
@@ -34,10 +39,10 @@ static const struct {
     const char *name, *meaning;
     double limit;
 } quantity[QUANTITIES] = {
-    {"L", "relative", 2e-15},
-    {"S", "against sum |alpha|", 2e-15},
-    {"mu", "p <= 12, against 1 + condition", 1e-14},
-    {"angle", "mu_p |p theta_p - reference|, p <= 12, against 1 + condition", 1e-14},
+    {"L", "relative", 1e-15},
+    {"S", "against sum |alpha| + |2 pi - S|", 1e-15},
+    {"mu", "p <= 12, against 1 + c, its square off the plane", 1e-14},
+    {"angle", "mu_p |p theta_p - reference|, p <= 12, as mu", 1e-14},
     {"area", "against half the sum of |x_i - x_0| l_i", 2e-15},
 };
 
@@ -110,13 +115,13 @@ static size_t draw_round(size_t n)
 /* On a circle, the gaps of all magnitudes: tiny edges beside long ones, almost straight. */
 static size_t draw_uneven(size_t n)
 {
-    double smallest = magnitude(1e-14, 1), total = 0, angle = 0, *gap = shape + n;
+    static double gap[MAX_CORNERS];
+    double smallest = magnitude(1e-14, 1), total = 0, angle = 0;
     size_t i;
     for (i = 0; i < n; ++i) total += gap[i] = magnitude(smallest, 1);
-    for (i = 0; i < n; ++i) { /* gap i lies behind or at the place where corner i goes */
-        double step = gap[i];
+    for (i = 0; i < n; ++i) {
         put(i, 1, angle);
-        angle += 2 * M_PI * step / total;
+        angle += 2 * M_PI * gap[i] / total;
     }
     return n;
 }
@@ -556,21 +561,24 @@ static int measure(const polygon *o, double *mu, double *g, surfmink_functionals
 static void judge(const polygon *o, verdict *v, int show)
 {
     static measured m;
-    double mu[MAX_RANK + 1], g[2 * MAX_RANK + 2], theta[MAX_RANK + 1], off;
+    double mu[MAX_RANK + 1], g[2 * MAX_RANK + 2], theta[MAX_RANK + 1], off, allowed;
     quad want, angle;
     surfmink_functionals w;
     int p, q;
     memset(v, 0, sizeof *v);
     if ((v->status = measure(o, mu, g, &w)) != SURFMINK_OK) return;
     refer(o, &m);
-    if (m.spike) v->status = -1;
-    if (m.spike) return;
+    if (m.spike) {
+        v->status = -1;
+        return;
+    }
     surfmink_spectrum(g, MAX_RANK, NULL, NULL, theta);
-    v->condition = (double)(m.turned / fabsq(m.turning));
+    v->condition = (double)((m.turned + fabsq(2 * M_PIq - m.turning)) / m.turning);
     v->error[LENGTH] = v->judged[LENGTH] = (double)fabsq(w.length / m.length - 1);
     v->error[TURNING] = (double)fabsq(w.turning - m.turning);
-    v->judged[TURNING] = (double)(v->error[TURNING] / m.turned);
-    if (o->surface != EMBEDDED && !m.crosses && m.area_terms > 1e-280Q && m.area_terms < 1e300Q) { /* else it has no double */
+    v->judged[TURNING] = v->error[TURNING] / (double)(m.turned + fabsq(2 * M_PIq - m.turning));
+    if (o->surface != EMBEDDED && !m.crosses && m.area_terms > 1e-280Q &&
+        m.area_terms < 1e300Q) { /* else it has no double */
         v->error[AREA] = (double)fabsq(w.area / m.area - 1);
         v->judged[AREA] = (double)(fabsq(w.area - m.area) / m.area_terms);
     }
@@ -585,7 +593,8 @@ static void judge(const polygon *o, verdict *v, int show)
             printf("mu_%-2d  %.17g  want %.17g\np theta %.17g  want %.17g\n", p, mu[p], (double)want, p * theta[p],
                    (double)angle);
     }
-    for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / (1 + v->condition);
+    allowed = o->surface == PLANE ? 1 + v->condition : (1 + v->condition) * (1 + v->condition);
+    for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / allowed;
     if (!show) return;
     printf("L      %.17g  want %.17g\nS      %.17g  want %.17g\n", w.length, (double)m.length, w.turning,
            (double)m.turning);
@@ -599,16 +608,16 @@ typedef struct worst {
     int generator;
 } worst;
 
-static void keep_worst(worst *worst, const verdict *v, int q, const polygon *o, int which, uint64_t seed)
+static void keep_worst(worst *w, const verdict *v, int q, const polygon *o, int which, uint64_t seed)
 {
-    if (v->judged[q] <= worst->judged) return; /* a NaN is the worst of all */
-    worst->judged = v->judged[q];
-    worst->error = v->error[q];
-    worst->condition = v->condition;
-    worst->size = o->size;
-    worst->seed = seed;
-    worst->n = o->n;
-    worst->generator = which;
+    if (v->judged[q] <= w->judged) return; /* a NaN is the worst of all */
+    w->judged = v->judged[q];
+    w->error = v->error[q];
+    w->condition = v->condition;
+    w->size = o->size;
+    w->seed = seed;
+    w->n = o->n;
+    w->generator = which;
 }
 
 static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t master)
@@ -637,12 +646,11 @@ static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t 
     printf("%s: %lu polygons measured, %lu refused, %lu with a turn of -pi up to rounding left out\n",
            surface_name[surface], (unsigned long)accepted, (unsigned long)refused, (unsigned long)spikes);
     for (q = 0; q < QUANTITIES; ++q) printf("%10s", quantity[q].name);
-    for (i = 0; i < GENERATORS; ++i) {
-        printf("\n");
-        for (q = 0; q < QUANTITIES; ++q) printf("%10.1e", all[i][q].judged);
-        printf("  %s/%s, worst mu %lu", surface_name[surface], generator[i].name, (unsigned long)all[i][MU].seed);
-    }
     printf("\n");
+    for (i = 0; i < GENERATORS; ++i) {
+        for (q = 0; q < QUANTITIES; ++q) printf("%10.1e", all[i][q].judged);
+        printf("  %s\n", generator[i].name);
+    }
     for (q = 0; q < QUANTITIES; ++q) {
         if (surface == EMBEDDED && q == AREA) continue;
         printf("%-6s %.2g (%s; as it is %.2g, condition %.2g): --repeat %s/%s %lu, n %lu, size %.2g%s\n",
@@ -666,7 +674,8 @@ static int repeat(polygon *o, const char *name, uint64_t seed)
             if (strcmp(full, name) != 0) continue;
             make_polygon(o, (enum surface)surface, i, seed);
             judge(o, &v, 1);
-            printf("n %lu, size %.3g, status %d, condition %.3g\n", (unsigned long)o->n, o->size, v.status, v.condition);
+            printf("n %lu, size %.3g, status %d, condition %.3g\n", (unsigned long)o->n, o->size, v.status,
+                   v.condition);
             for (q = 0; q < QUANTITIES; ++q)
                 printf("error of %-6s %.3g, judged %.3g\n", quantity[q].name, v.error[q], v.judged[q]);
             for (size_t k = 0; k < o->n && k < 20; ++k) {
@@ -691,13 +700,18 @@ int main(int argc, char **argv)
     int surface, failed = 0, only = -1, i;
     for (i = 1; i < argc; ++i) {
         int left = argc - i - 1;
-        if (!strcmp(argv[i], "--polygons") && left >= 1) polygons = strtoull(argv[++i], NULL, 10);
-        else if (!strcmp(argv[i], "--seed") && left >= 1) seed = strtoull(argv[++i], NULL, 10);
+        if (!strcmp(argv[i], "--polygons") && left >= 1)
+            polygons = strtoull(argv[++i], NULL, 10);
+        else if (!strcmp(argv[i], "--seed") && left >= 1)
+            seed = strtoull(argv[++i], NULL, 10);
         else if (!strcmp(argv[i], "--repeat") && left >= 2)
             return repeat(&o, argv[i + 1], strtoull(argv[i + 2], NULL, 10));
-        else if (!strcmp(argv[i], "plane")) only = PLANE;
-        else if (!strcmp(argv[i], "sphere")) only = SPHERE;
-        else if (!strcmp(argv[i], "embedded")) only = EMBEDDED;
+        else if (!strcmp(argv[i], "plane"))
+            only = PLANE;
+        else if (!strcmp(argv[i], "sphere"))
+            only = SPHERE;
+        else if (!strcmp(argv[i], "embedded"))
+            only = EMBEDDED;
         else {
             fprintf(stderr, "usage: accuracy [--polygons N] [--seed S] [plane|sphere|embedded] "
                             "[--repeat SURFACE/GENERATOR SEED]\n");

@@ -50,8 +50,8 @@ static FILE *world_open(const char *name, const char *mode)
     if (strncmp(name, "no", 2) == 0) errno = ENOENT;
     if (strncmp(name, "no", 2) == 0) return NULL;
     file = mode[0] == 'w' ? fopen("/dev/null", mode)
-           : world_size  ? fmemopen((void *)(uintptr_t)world_text, world_size, mode)
-                         : fopen("/dev/null", mode);
+           : world_size   ? fmemopen((void *)(uintptr_t)world_text, world_size, mode)
+                          : fopen("/dev/null", mode);
     while (i < LONGEST_LIST - 1 && world_file[i]) ++i;
     world_file[i] = file;
     return file;
@@ -75,17 +75,17 @@ static void world_exit(int status)
 #undef stdout
 #undef stderr
 #undef putchar
-#define stdin          world_in
-#define stdout         world_out
-#define stderr         world_err
-#define putchar(c)     fputc(c, world_out)
-#define printf(...)    fprintf(world_out, __VA_ARGS__)
-#define exit(status)   world_exit(status)
-#define fopen          world_open
-#define fclose         world_close
-#define free           world_free
-#define realloc        world_realloc
-#define malloc(size)   world_realloc(NULL, size)
+#define stdin           world_in
+#define stdout          world_out
+#define stderr          world_err
+#define putchar(c)      fputc(c, world_out)
+#define printf(...)     fprintf(world_out, __VA_ARGS__)
+#define exit(status)    world_exit(status)
+#define fopen           world_open
+#define fclose          world_close
+#define free            world_free
+#define realloc         world_realloc
+#define malloc(size)    world_realloc(NULL, size)
 #define calloc(n, size) world_calloc(n, size)
 static inline void *world_calloc(size_t n, size_t size)
 {

@@ -41,7 +41,7 @@ static inline unsigned take(bytes *in)
    programs. */
 static inline double take_number(bytes *in)
 {
-    static const double odd[16] = {0,    -0.0,   1,      -1,      1e-9,    1e-160,   1e160,   -1e300,
+    static const double odd[16] = {0,     -0.0,   1,       -1,      1e-9,     1e-160, 1e160,    -1e300,
                                    1e300, 1e-300, DBL_MIN, DBL_MAX, -DBL_MAX, 5e-324, HUGE_VAL, NAN};
     unsigned how = take(in), k;
     uint64_t bits = 0;

@@ -56,9 +56,12 @@ static void builders(bytes *in)
     memcpy(untouched, corner, sizeof corner);
     status = surfmink_regular_polygon(&sphere, centre, distance, angle, n, corner);
     CLAIM(is_known(status));
-    if (status != SURFMINK_OK) CLAIM(same_bits(corner, untouched, sizeof corner));
-    else CLAIM(all_finite(corner, 3 * n));
-    if (status == SURFMINK_OK && fabs(angle) < 7 && radius > 1e-290 && distance > 1e-7 * radius && distance < 1.5 * radius) {
+    if (status != SURFMINK_OK)
+        CLAIM(same_bits(corner, untouched, sizeof corner));
+    else
+        CLAIM(all_finite(corner, 3 * n));
+    if (status == SURFMINK_OK && fabs(angle) < 7 && radius > 1e-290 && distance > 1e-7 * radius &&
+        distance < 1.5 * radius) {
         status = surfmink_measure_sphere(corner, n, radius, (int)n, mu, NULL, NULL, NULL);
         CLAIM(status == SURFMINK_NOT_FINITE || (status == SURFMINK_OK && fabs(mu[n] - 1) < 1e-6));
     }

@@ -38,8 +38,10 @@ static void cut(const mesh *m, mesh_error *error)
     }
     for (side = 0; side < 4; ++side) {
         status = mesh_level_set(m, field, side / 2 ? level : level + 0.1, side % 2, &loops, error);
-        if (status) CLAIM(status == error->status && error->text[0]);
-        else measure_loops(&loops);
+        if (status)
+            CLAIM(status == error->status && error->text[0]);
+        else
+            measure_loops(&loops);
         if (!status) mesh_free_loops(&loops);
     }
     free(field);

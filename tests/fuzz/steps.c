@@ -11,8 +11,10 @@ static void totals(void)
     surfmink_functionals w = {-7, -7, -7, -7, -7};
     int status = surfmink_total(length, turning, n, &w);
     CLAIM(is_known(status));
-    if (status != SURFMINK_OK) CLAIM(w.area == -7 && w.length == -7 && w.turning == -7 && w.condition == -7);
-    else CLAIM(w.area == 0 && w.length > 0 && w.turning > 0 && w.condition >= 1 - 1e-15 && isfinite(w.length));
+    if (status != SURFMINK_OK)
+        CLAIM(w.area == -7 && w.length == -7 && w.turning == -7 && w.condition == -7);
+    else
+        CLAIM(w.area == 0 && w.length > 0 && w.turning > 0 && w.condition >= 1 - 1e-15 && isfinite(w.length));
 }
 
 static void phases_and_transport(bytes *in)
@@ -25,13 +27,17 @@ static void phases_and_transport(bytes *in)
     status = surfmink_phases(turning, n, how, phase);
     CLAIM(is_known(status));
     CLAIM(surfmink_phases(aliased, n, how, aliased) == status);
-    if (status == SURFMINK_OK) CLAIM(same_bits(aliased, phase, n * sizeof *phase) && phase[0] == 0);
-    else CLAIM(same_bits(aliased, turning, sizeof turning));
+    if (status == SURFMINK_OK)
+        CLAIM(same_bits(aliased, phase, n * sizeof *phase) && phase[0] == 0);
+    else
+        CLAIM(same_bits(aliased, turning, sizeof turning));
     for (i = 0; i < CORNERS && status != SURFMINK_OK; ++i) CLAIM(((unsigned char *)phase)[8 * i] == 0x5a);
     k = surfmink_transport_angle(turning, n, from, (ptrdiff_t)take(in) - 128, how, angle, &carried);
     CLAIM(is_known(k));
-    if (k != SURFMINK_OK) CLAIM(carried == -7);
-    else CLAIM(status == SURFMINK_OK && from < n && isfinite(angle));
+    if (k != SURFMINK_OK)
+        CLAIM(carried == -7);
+    else
+        CLAIM(status == SURFMINK_OK && from < n && isfinite(angle));
     if (k != SURFMINK_OK || how != SURFMINK_CORRECTED || !(turned < 1e4) || fabs(angle) > 100) return;
     CLAIM(surfmink_transport_angle(turning, n, from, (ptrdiff_t)n, how, 0, &carried) == SURFMINK_OK);
     CLAIM(fabs(carried + 6.283185307179586) < 1e-14);
@@ -96,7 +102,8 @@ static void spectra(bytes *in)
     CLAIM(is_known(status));
     if (status != SURFMINK_OK) CLAIM(same_bits(lambda, mu, sizeof mu) && same_bits(mu, theta, sizeof mu));
     for (p = 1; p <= rank && status == SURFMINK_OK; ++p)
-        CLAIM(lambda[p] >= 0 && mu[p] >= 0 && fabs(theta[p]) <= 3.1415926535897936 / p && theta[p] > -3.1415926535897936 / p);
+        CLAIM(lambda[p] >= 0 && mu[p] >= 0 && fabs(theta[p]) <= 3.1415926535897936 / p &&
+              theta[p] > -3.1415926535897936 / p);
     for (k = 0; k < 6; ++k) frame[k] = take_number(in);
     phase = take_number(in);
     for (p = -1; p <= RANK; ++p) {
