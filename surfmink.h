@@ -360,6 +360,7 @@ SURFMINK_DEF void surfmink_smooth(double *corner, size_t n, size_t stride, size_
 /* Drops every corner that equals the one before it (the last one: the first one), in place.
    corner      n * stride
    normal      3 n    kept in step; or NULL
+   On the sphere corners that differ in their distance from the centre alone are not equal, though they are coincident.
    returns            how many corners are left, at the front of the arrays */
 SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, size_t stride);
 
@@ -1826,11 +1827,12 @@ SURFMINK_DEF void surfmink_smooth(double *corner, size_t n, size_t stride, size_
         }
 }
 
+/* NaN equals nothing: it is to be refused, not to be dropped. */
 static int surfmink__equal(const double *a, const double *b, size_t stride)
 {
     size_t k;
     for (k = 0; k < stride; ++k)
-        if (a[k] < b[k] || a[k] > b[k]) return 0;
+        if (!(a[k] >= b[k] && a[k] <= b[k])) return 0;
     return 1;
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """coverage.py DIRECTORY TEST.c ... - which lines and branches of surfmink.h no test has taken.
 
-Compiles each test with gcc --coverage, runs it, and merges what gcov says: a line is covered if one test runs it, a branch
+Compiles each test with gcc --coverage, runs it, and merges what gcov says: a line is covered if a test runs it, a branch
 if one test takes it. Prints a table of the functions, then every line and branch that is missing; the last line is the
 total. Exit status 1 if there are any. The tests have to pass."""
 
@@ -17,8 +17,9 @@ def measure(work, test):
     for left in ('.gcda', '.gcno'):
         for name in os.listdir(work):
             if name.startswith(binary) and name.endswith(left): os.remove(os.path.join(work, name))
-    subprocess.run(['gcc', '-std=c99', '-O0', '--coverage', '-I' + ROOT, source, '-o', binary, '-lm'], cwd=work, check=True)
-    # gcov's files are named after the working directory of the compiler, so the tests may run at the root
+    compiler = ['gcc', '-std=c99', '-O0', '--coverage', '-I' + ROOT]
+    subprocess.run(compiler + [source, '-o', binary, '-lm'], cwd=work, check=True)
+    # what a test counts goes to where it was compiled, so that it may run at the root
     if subprocess.run([os.path.join(work, binary)], cwd=ROOT, stdout=subprocess.DEVNULL).returncode:
         sys.exit('coverage.py: %s fails' % test)
     notes = [f for f in os.listdir(work) if f.startswith(binary) and f.endswith('.gcno')]
@@ -50,8 +51,8 @@ def main():
     for name, (first, last) in sorted(functions.items(), key=lambda item: item[1]):
         mine = [c for n, c in lines.items() if first <= n <= last]
         ways = [c for (n, _), c in branches.items() if first <= n <= last]
-        mark = '' if all(mine) and all(ways) else '  <'
-        print('%4d/%-4d %6d/%-5d  %s%s' % (sum(c > 0 for c in mine), len(mine), sum(c > 0 for c in ways), len(ways), name, mark))
+        taken = (sum(c > 0 for c in mine), len(mine), sum(c > 0 for c in ways), len(ways))
+        print('%4d/%-4d %6d/%-5d  %s%s' % (taken + (name, '' if all(mine) and all(ways) else '  <')))
     missing = sorted([(n, 'never run') for n, c in lines.items() if not c] +
                      [(n, 'branch %d never taken' % k) for (n, k), c in branches.items() if not c and lines[n]])
     for number, what in missing: print('surfmink.h:%d: %s: %s' % (number, what, text[number - 1].strip()))

@@ -4,10 +4,10 @@
     mutants.py [--jobs N] [--sample N] [--seed N] [--list] [--lines A-B] DIRECTORY [TEST.c ...]
 
 Changes one operator, constant, index or condition of the implementation at a time, compiles each mutant with the test
-programs (tcc if there is one, else cc -O0) and runs them until one fails. A mutant that all pass has survived: a test is
-missing, or it means the same and belongs into tests/mutants.equivalent with a reason. Works in DIRECTORY; the last lines
-are the survivors, the very last `N killed, N survived, N equivalent, N not compiled`. Exit status 1 if less than 97 % of
-those that compile and are not equivalent are killed."""
+programs (tcc if there is one, else cc -O0) and runs them until one fails. A mutant that all pass has survived: a test
+is missing, or it means the same and belongs into tests/mutants.equivalent with a reason. Works in DIRECTORY; prints
+survivors as it finds them, and last `N killed, N survived, N equivalent, N not compiled`. Exit status 1 if less than
+97 % of those that compile and are not equivalent are killed."""
 
 import argparse, concurrent.futures, glob, os, random, re, shutil, subprocess, sys, time
 
@@ -56,7 +56,8 @@ def mutations_of(found, k):
 
 def is_definition(lines, number):
     """Prototypes and typedefs say nothing that runs; statements are indented."""
-    return lines[number].startswith('    ') and not re.match(r'\s+(const )?(double|int|size_t|void) [^=(]*;$', lines[number])
+    declaration = re.match(r'\s+(const )?(double|int|size_t|void) [^=(]*;$', lines[number])
+    return lines[number].startswith('    ') and not declaration
 
 
 def all_mutants(text):
@@ -105,8 +106,9 @@ def compilers():
 
 
 def run(command, seconds, **more):
+    nowhere = subprocess.DEVNULL
     try:
-        return subprocess.run(command, timeout=seconds, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **more).returncode
+        return subprocess.run(command, timeout=seconds, stdout=nowhere, stderr=nowhere, **more).returncode
     except subprocess.TimeoutExpired:
         return -1
 

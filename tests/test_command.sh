@@ -716,8 +716,9 @@ check "clockwise at the rim" "$(path r | tr -cd L | wc -c | awk '{ print ($1 < 2
 printf 'ring lon lat\no 40 0\no 41 0\no 41 1\n' > in
 run --svg a.svg --view 30,0
 has "a few small outlines fill the picture, and the middle of the sphere lies outside" a.svg '<circle cx="-'
+printf 'ring lon lat\no 200 0\no 201 0\no 201 1\n' > in
 run --svg a.svg
-check "without --view something can be seen" "$(seen)" "o "
+check "without --view the eye is where the outlines face" "$(seen)" "o "
 # The strokes of a large triangle do not depend on where its outline begins.
 glyph() {
     { echo 'ring lon lat'; printf 'o %s %s\n' $1; } > in
@@ -727,6 +728,8 @@ glyph() {
 check "strokes: wherever the outline begins" "$(glyph '0 0 70 10 0 50')" "$(glyph '70 10 0 50 0 0')"
 run cube.off --svg a.svg --view 1,2,3
 check "three faces of a cube" "$(seen)" "3 4 1 "
+run cube.off --svg a.svg --view 1,2,3 --color-by mu_4
+check "with four strokes each" "$(grep stroke-linecap a.svg | tr -cd 'L\n' | tr '\n' ' ')" "LLLL LLLL LLLL "
 run cube.off --svg a.svg --view 0,0,1
 check "one face of a cube" "$(seen)" "1 "
 

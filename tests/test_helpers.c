@@ -329,6 +329,7 @@ THEOREM(smoothing_takes_the_staircase_out_of_a_pixel_outline)
 
 THEOREM(merging_drops_repeated_corners_and_their_normals)
 {
+    double unknown[6] = {NAN, NAN, NAN, NAN, 1, 1};
     double corner[14] = {1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 1, 1}; /* a a b b b c a: the last is the first again */
     double normal[21] = {10, 0, 0, 11, 0, 0, 20, 0, 0, 21, 0, 0, 22, 0, 0, 30, 0, 0, 12, 0, 0};
     static const double want[6] = {1, 1, 2, 2, 3, 3}, kept[9] = {10, 0, 0, 20, 0, 0, 30, 0, 0};
@@ -343,6 +344,7 @@ THEOREM(merging_drops_repeated_corners_and_their_normals)
     CHECK_EQUAL(surfmink_merge(zero, NULL, 2, 2), 1); /* there is no negative place */
     CHECK_EQUAL(surfmink_merge(same, NULL, 1, 2), 1);
     CHECK_EQUAL(surfmink_merge(same, NULL, 0, 2), 0);
+    CHECK_EQUAL(surfmink_merge(unknown, NULL, 3, 2), 3); /* NaN equals nothing: it is refused later, not lost here */
 }
 
 THEOREM(a_merged_outline_is_measured_where_it_was_refused)

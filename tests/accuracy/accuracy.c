@@ -40,7 +40,7 @@ static const struct {
     double limit;
 } quantity[QUANTITIES] = {
     {"L", "relative", 1e-15},
-    {"S", "against sum |alpha| + |2 pi - S|", 1e-15},
+    {"S", "against sum |alpha| + |2 pi - S|", 2e-15},
     {"mu", "p <= 12, against 1 + c, its square off the plane", 1e-14},
     {"angle", "mu_p |p theta_p - reference|, p <= 12, as mu", 1e-14},
     {"area", "against half the sum of |x_i - x_0| l_i", 2e-15},
