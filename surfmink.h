@@ -82,7 +82,7 @@
 
 #ifndef SURFMINK_DEF
 #if defined(SURFMINK_STATIC) && defined(__GNUC__)
-#define SURFMINK_DEF __attribute__((unused)) static /* no warning about what a program does not call */
+#define SURFMINK_DEF static __inline__ /* no warning about what a program does not call */
 #elif defined(SURFMINK_STATIC)
 #define SURFMINK_DEF static
 #else
@@ -721,7 +721,7 @@ static double surfmink__sphere_point(const surfmink__outline *o, size_t i, doubl
    Returns its length, or 0 where that is no more than what rounding of x and y makes of h. */
 static double surfmink__chord(const double x[3], double x_norm, const double y[3], double y_norm, double chord[3])
 {
-    double d[3], sum[3], m[3], across[3], h, length, sine, cosine;
+    double d[3], sum[3], m[3], across[3], h, off, length, sine, cosine, fall;
     size_t k;
     surfmink__sub(y, x, 3, d);
     for (k = 0; k < 3; ++k) sum[k] = x[k] + y[k];
@@ -733,11 +733,12 @@ static double surfmink__chord(const double x[3], double x_norm, const double y[3
         surfmink__cross(m, x, across);
         sine = surfmink__norm(m, 3) / x_norm / y_norm;
         cosine = surfmink__dot(x, y) / x_norm / y_norm;
-        for (k = 0; k < 3; ++k)
-            chord[k] = across[k] / x_norm / x_norm / y_norm - x[k] / x_norm * (sine * sine / (1 + cosine));
+        fall = cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
+        for (k = 0; k < 3; ++k) chord[k] = across[k] / x_norm / x_norm / y_norm - x[k] / x_norm * fall;
         length = surfmink__norm(chord, 3);
     }
-    return length > 8 * surfmink__eps * surfmink__abs(h / y_norm) ? length : 0;
+    off = surfmink__abs(h) / (x_norm > y_norm ? x_norm : y_norm);
+    return length > 8 * surfmink__eps * off ? length : 0;
 }
 
 /* The great-circle edge from x to y: direction at x (up to length and a part along x) and angle at the centre. Beyond
@@ -1707,6 +1708,7 @@ SURFMINK_DEF int surfmink_sphere_exp(const double x[3], const double vector[3], 
     surfmink__unit(x, 3, unit);
     part = surfmink__dot(vector, unit);
     for (k = 0; k < 3; ++k) v[k] = vector[k] - part * unit[k];
+    if (!surfmink__finite(v, 3) || surfmink__max_abs(v, 3) > 1e308) return SURFMINK_NOT_FINITE; /* nor is its length */
     length = surfmink__norm(v, 3);
     turn = length / radius;
     if (!surfmink__finite(&turn, 1)) return SURFMINK_NOT_FINITE;

@@ -9,7 +9,7 @@ is missing, or it means the same and belongs into tests/mutants.equivalent with 
 survivors as it finds them, and last `N killed, N survived, N equivalent, N not compiled`. Exit status 1 if less than
 97 % of those that compile and are not equivalent are killed."""
 
-import argparse, concurrent.futures, glob, os, random, re, shutil, subprocess, sys, time
+import argparse, concurrent.futures, os, random, re, shutil, subprocess, sys, time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 HEADER = os.path.join(ROOT, 'surfmink.h')
@@ -113,9 +113,19 @@ def run(command, seconds, **more):
         return -1
 
 
+def snapshot(work, tests):
+    """Header, tests and what they include, as they are now: nothing that is edited during the run may kill mutants."""
+    tree = os.path.join(work, 'tree')
+    shutil.rmtree(tree, ignore_errors=True)
+    for part in ('examples', 'tests'): shutil.copytree(os.path.join(ROOT, part), os.path.join(tree, part))
+    shutil.copy(HEADER, tree)
+    tests = tests or sorted(f for f in os.listdir(os.path.join(tree, 'tests')) if re.match(r'test_.*\.c$', f))
+    return tree, [os.path.join(tree, 'tests', os.path.basename(test)) for test in tests]
+
+
 class Worker:
-    def __init__(self, work, text, tests, seconds):
-        self.work, self.text, self.tests, self.seconds = work, text, tests, seconds
+    def __init__(self, work, tree, text, tests, seconds):
+        self.work, self.tree, self.text, self.tests, self.seconds = work, tree, text, tests, seconds
 
     def judge(self, index, mutant):
         """killed by which test, 'survived' or 'not compiled'."""
@@ -127,23 +137,23 @@ class Worker:
                 out.write(self.text[:at] + new + self.text[at + len(old):])
             for test in self.tests:
                 binary = os.path.join(place, 'test')
-                command = compilers() + ['-std=c99', '-I' + place, '-I' + ROOT, test, '-o', binary, '-lm']
+                command = compilers() + ['-std=c99', '-I' + place, '-I' + self.tree, test, '-o', binary, '-lm']
                 if run(command, 60, cwd=place): return 'not compiled'
-                if run([binary], self.seconds[test], cwd=ROOT): return os.path.basename(test)
+                if run([binary], self.seconds[test], cwd=self.tree): return os.path.basename(test)
             return 'survived'
         finally:
             shutil.rmtree(place, ignore_errors=True)
 
 
-def time_tests(work, tests):
+def time_tests(work, tree, tests):
     """Tests that pass on the header as it is, the fastest first, each with its time limit."""
     seconds = {}
     for test in tests:
         binary = os.path.join(work, 'unmutated')
-        if run(compilers() + ['-std=c99', '-I' + ROOT, test, '-o', binary, '-lm'], 60):
+        if run(compilers() + ['-std=c99', '-I' + tree, test, '-o', binary, '-lm'], 60):
             sys.exit('mutants.py: %s does not compile' % test)
         start = time.time()
-        if run([binary], 300, cwd=ROOT):
+        if run([binary], 300, cwd=tree):
             print('left out, for it fails without mutants: %s' % test)
             continue
         seconds[test] = 2 + 4 * (time.time() - start)
@@ -160,7 +170,10 @@ def main():
     parser.add_argument('directory')
     parser.add_argument('tests', nargs='*')
     options = parser.parse_args()
-    text = open(HEADER).read()
+    options.directory = os.path.abspath(options.directory)
+    os.makedirs(options.directory, exist_ok=True)
+    tree, tests = snapshot(options.directory, options.tests)
+    text = open(os.path.join(tree, 'surfmink.h')).read()
     mutants = all_mutants(text)
     if options.lines:
         first, last = map(int, options.lines.split('-'))
@@ -170,11 +183,9 @@ def main():
     if options.list:
         for m in mutants: print('%d: %s' % (m[0], describe(m, text)))
         return 0
-    os.makedirs(options.directory, exist_ok=True)
     equivalent = read_equivalent()
-    tests = [os.path.abspath(t) for t in options.tests or sorted(glob.glob(os.path.join(ROOT, 'tests', 'test_*.c')))]
-    seconds = time_tests(options.directory, tests)
-    worker = Worker(options.directory, text, sorted(seconds, key=seconds.get), seconds)
+    seconds = time_tests(options.directory, tree, tests)
+    worker = Worker(options.directory, tree, text, sorted(seconds, key=seconds.get), seconds)
     killed, survived, excused, broken = {}, [], 0, 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for mutant, fate in zip(mutants, pool.map(worker.judge, range(len(mutants)), mutants)):

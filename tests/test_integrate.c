@@ -327,6 +327,27 @@ THEOREM(the_classical_transport_splits_the_edge_of_its_fiducial_point)
     }
 }
 
+THEOREM(the_split_edge_is_one_edge_more_at_every_rank)
+{
+    chance c = {30};
+    double length[MOST], turning[MOST], piece[MOST + 1], phase[MOST + 1], g[2 * 71], want[2 * 71];
+    int trial, k;
+    for (trial = 0; trial < 50; ++trial) {
+        size_t n = random_edges(&c, length, turning), edge = one_of(&c, n), i;
+        double fraction = between(&c, 0, 1), turned = 0;
+        piece[0] = (1 - fraction) * length[edge];
+        phase[0] = 0;
+        for (i = 1; i <= n; ++i) {
+            piece[i] = length[(edge + i) % n] * (i == n ? fraction : 1);
+            phase[i] = turned += turning[(edge + i) % n];
+        }
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_irreducible_parallel(length, turning, n, edge, fraction, 70, g));
+        CHECK_OK(surfmink_irreducible(piece, phase, n + 1, 70, want));
+        for (k = 0; k <= 141; ++k) CHECK_NEAR(g[k], want[k], 1e-13 * (k + 1) * g[0]);
+    }
+}
+
 THEOREM(in_the_plane_both_transports_agree_at_every_point)
 {
     chance c = {40};
@@ -357,6 +378,7 @@ int main(void)
     PROVE(contraction_with_a_vector_leaves_the_sum_of_normals_times_powers_of_their_projections);
     PROVE(with_the_classical_transport_the_octant_is_a_square_and_depends_on_the_point);
     PROVE(the_classical_transport_splits_the_edge_of_its_fiducial_point);
+    PROVE(the_split_edge_is_one_edge_more_at_every_rank);
     PROVE(in_the_plane_both_transports_agree_at_every_point);
     return QED();
 }

@@ -260,7 +260,9 @@ THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
         onto_sphere(xy, n, trial % 2 ? 1.0 : 1e-6, on);
         turn_somehow(&c, on, n);
         for (i = 0; i < n; ++i) {
-            double factor = power_of_two((int)one_of(&c, 5) - 2); /* which leaves the direction as it is, to the bit */
+            int most = trial % 4 ? 2 : 500;
+            double factor =
+                power_of_two((int)one_of(&c, (size_t)(2 * most + 1)) - most); /* keeps every bit of the direction */
             for (k = 0; k < 3; ++k) off[3 * i + k] = factor * on[3 * i + k];
         }
         CASE("trial %d", trial);
@@ -474,6 +476,33 @@ THEOREM(the_area_on_a_sphere_does_not_depend_on_the_first_corner)
             CHECK_OK(surfmink_area_sphere(moved, n, 1.0, &again));
             CHECK_NEAR(again, area, 2e-14);
         }
+    }
+}
+
+THEOREM(of_the_two_sides_the_smaller_one_is_told_and_its_sign_says_which)
+{
+    /* Round the north pole at 105 to 115 degrees from it, with a notch that reaches almost to the pole: so all corners are
+       near the first one, and there is more than a hemisphere to the left. */
+    chance c = {24};
+    double corner[3 * 20], length[20], turning[20], area;
+    int trial;
+    for (trial = 0; trial < 200; ++trial) {
+        size_t n = 10 + one_of(&c, 10), i;
+        double left = 2 * PI;
+        for (i = 0; i < n; ++i) {
+            double lat = i == 0 ? between(&c, 70, 85) : between(&c, -25, -15);
+            CHECK_OK(surfmink_from_lonlat(360 * (double)i / (double)n, lat, 1.0, corner + 3 * i));
+        }
+        turn_somehow(&c, corner, n);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_sphere(corner, n, 1.0, length, turning, NULL));
+        for (i = 0; i < n; ++i) left -= turning[i];
+        CHECK(left > 2 * PI);
+        CHECK_OK(surfmink_area_sphere(corner, n, 1.0, &area));
+        CHECK_CLOSE(area, left - 4 * PI, 1e-14);
+        surfmink_reverse(corner, n, 3);
+        CHECK_OK(surfmink_area_sphere(corner, n, 1.0, &area));
+        CHECK_CLOSE(area, 4 * PI - left, 1e-14);
     }
 }
 
@@ -704,6 +733,7 @@ int main(void)
     PROVE(tiny_cells_of_a_sphere_have_the_area_of_their_map);
     PROVE(a_lune_through_both_poles_has_its_share_of_the_sphere);
     PROVE(the_area_on_a_sphere_does_not_depend_on_the_first_corner);
+    PROVE(of_the_two_sides_the_smaller_one_is_told_and_its_sign_says_which);
     PROVE(a_hemisphere_has_half_the_sphere_on_either_side);
     PROVE(reversal_negates_every_turn);
     PROVE(an_outline_that_crosses_itself_is_told_by_its_turning_and_its_area);

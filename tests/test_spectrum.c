@@ -391,6 +391,23 @@ THEOREM(an_easy_call_is_the_four_steps_one_after_the_other)
     }
 }
 
+THEOREM(an_easy_call_is_the_four_steps_at_high_ranks_too)
+{
+    chance c = {50};
+    double xy[2 * MOST], length[MOST], phase[MOST], g[2 * 101], easy[2 * 101];
+    int trial, k;
+    for (trial = 0; trial < 50; ++trial) {
+        size_t n = 3 + one_of(&c, 40);
+        random_star(&c, n, xy);
+        CASE("trial %d", trial);
+        CHECK_OK(surfmink_edges_plane(xy, n, length, phase, NULL));
+        CHECK_OK(surfmink_phases(phase, n, SURFMINK_CORRECTED, phase));
+        CHECK_OK(surfmink_irreducible(length, phase, n, 100, g));
+        CHECK_OK(surfmink_measure_plane(xy, n, 100, NULL, easy, NULL, NULL));
+        for (k = 0; k <= 201; ++k) CHECK_NEAR(easy[k], g[k], 1e-14 * (1 + k) * g[0]);
+    }
+}
+
 int main(void)
 {
     PROVE(eigenvalues_are_the_moduli_and_angles_the_arguments_of_the_components);
@@ -406,5 +423,6 @@ int main(void)
     PROVE(eigenvectors_at_two_edges_are_transports_of_each_other);
     PROVE(eigenvectors_at_an_edge_do_not_depend_on_the_first_corner);
     PROVE(an_easy_call_is_the_four_steps_one_after_the_other);
+    PROVE(an_easy_call_is_the_four_steps_at_high_ranks_too);
     return QED();
 }

@@ -483,7 +483,7 @@ static inline int implicit__hit(implicit__aim *aim, implicit__shot *shot, int st
 {
     implicit__shot now = *shot, best = now;
     implicit__end end;
-    double least = HUGE_VAL, share = 1, turn = 0, stretch = 0, miss, upright, gap[3], left[3];
+    double least = HUGE_VAL, share = 1, turn = 0, stretch = 0, across, miss, upright, gap[3], left[3];
     int round, k, status, conjugate = 0;
     for (round = 0; round < (steady ? 10 : 25) && now.length < longest; ++round) {
         status = implicit__shoot(&aim->flow, now.tangent, now.length, &end);
@@ -493,10 +493,11 @@ static inline int implicit__hit(implicit__aim *aim, implicit__shot *shot, int st
         if (miss < least) {
             implicit__cross(end.normal, end.velocity, left);
             stretch = implicit__dot(gap, end.velocity);
-            turn = implicit__dot(gap, left) / end.position[3];
+            across = implicit__dot(gap, left);
+            turn = end.position[3] != 0 ? across / end.position[3] : 0; /* there no angle moves the end across */
             upright = implicit__dot(gap, end.normal); /* not small where this is another sheet of the surface */
             conjugate = end.conjugate;
-            if (hypot(stretch, turn * end.position[3]) <= enough * now.length &&
+            if (hypot(stretch, across) <= enough * now.length &&
                 fabs(upright) <= 1e3 * enough * now.length + 1e-12 * aim->size) {
                 if (conjugate) return SURFMINK_ANTIPODAL_CORNERS;
                 if (fabs(turn) <= 100 * enough) {

@@ -21,14 +21,15 @@
 static inline double surfmink_torus_f(const void *shape, const double x[3], double gradient[3], double hessian[6])
 {
     const double *radius = (const double *)shape;
-    double rho = hypot(x[0], x[1]), across = rho - radius[0], ratio = radius[0] / rho, tube = hypot(across, x[2]);
+    double rho = hypot(x[0], x[1]), across = rho - radius[0], tube = hypot(across, x[2]);
+    double ratio = rho > 0 ? radius[0] / rho : HUGE_VAL, c = rho > 0 ? x[0] / rho : 0, s = rho > 0 ? x[1] / rho : 0;
     gradient[0] = (1 - ratio) * x[0];
     gradient[1] = (1 - ratio) * x[1];
     gradient[2] = x[2];
-    hessian[0] = 1 - ratio + ratio * (x[0] / rho) * (x[0] / rho);
-    hessian[1] = ratio * (x[0] / rho) * (x[1] / rho);
+    hessian[0] = 1 - ratio + ratio * c * c;
+    hessian[1] = ratio * c * s;
     hessian[2] = 0;
-    hessian[3] = 1 - ratio + ratio * (x[1] / rho) * (x[1] / rho);
+    hessian[3] = 1 - ratio + ratio * s * s;
     hessian[4] = 0;
     hessian[5] = 1;
     return (tube - radius[1]) * (tube + radius[1]) / 2;
