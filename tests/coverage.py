@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """coverage.py DIRECTORY TEST.c ... - which lines and branches of surfmink.h no test has taken.
 
-Compiles each test with gcc --coverage, runs it, and merges what gcov says: a line is covered if a test runs it, a branch
-if one test takes it. Prints a table of the functions, then every line and branch that is missing; the last line is the
-total. Exit status 1 if there are any. The tests have to pass."""
+Compiles each test with gcc --coverage, runs it, and merges what gcov says: a line is covered if a test runs it, a
+branch if a test takes it. Prints a table of the functions, then every line and branch that is missing; the last line is
+the total. Exit status 1 if there are any. The tests have to pass."""
 
 import gzip, json, os, subprocess, sys
 

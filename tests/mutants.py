@@ -4,10 +4,10 @@
     mutants.py [--jobs N] [--sample N] [--seed N] [--list] [--lines A-B] DIRECTORY [TEST.c ...]
 
 Changes one operator, constant, index or condition of the implementation at a time, compiles each mutant with the test
-programs (tcc if there is one, else cc -O0) and runs them until one fails. A mutant that all pass has survived: a test
-is missing, or it means the same and belongs into tests/mutants.equivalent with a reason. Works in DIRECTORY; prints
-survivors as it finds them, and last `N killed, N survived, N equivalent, N not compiled`. Exit status 1 if less than
-97 % of those that compile and are not equivalent are killed."""
+programs (tcc if there is one, else cc -O0; what survives again with gcc's sanitizers) and runs them until one fails. A
+mutant that all pass has survived: a test is missing, or it means the same and belongs into tests/mutants.equivalent
+with a reason. Works in DIRECTORY; prints survivors as it finds them, and last `N killed, N survived, N equivalent, N not
+compiled`. Exit status 1 if less than 97 % of those that compile and are not equivalent are killed."""
 
 import argparse, concurrent.futures, os, random, re, shutil, subprocess, sys, time
 
@@ -101,8 +101,10 @@ def read_equivalent():
     return {mutated.strip(): reason for mutated, reason in pairs}
 
 
-def compilers():
-    return ['tcc'] if shutil.which('tcc') else ['cc', '-O0']
+# The second one only sees what survives the first: writing past an array is no wrong result, but a fault.
+FAST = ['tcc'] if shutil.which('tcc') else ['cc', '-O0']
+STRICT = ['gcc', '-O1', '-fsanitize=address,undefined', '-fno-sanitize-recover=all']
+SLOWER = 8 # the strict one's tests, at most
 
 
 def run(command, seconds, **more):
@@ -135,11 +137,12 @@ class Worker:
         try:
             with open(os.path.join(place, 'surfmink.h'), 'w') as out:
                 out.write(self.text[:at] + new + self.text[at + len(old):])
-            for test in self.tests:
-                binary = os.path.join(place, 'test')
-                command = compilers() + ['-std=c99', '-I' + place, '-I' + self.tree, test, '-o', binary, '-lm']
-                if run(command, 60, cwd=place): return 'not compiled'
-                if run([binary], self.seconds[test], cwd=self.tree): return os.path.basename(test)
+            for compiler, patience in (FAST, 1), (STRICT, SLOWER):
+                for test in self.tests:
+                    binary = os.path.join(place, 'test')
+                    command = compiler + ['-std=c99', '-I' + place, '-I' + self.tree, test, '-o', binary, '-lm']
+                    if run(command, 60, cwd=place): return 'not compiled'
+                    if run([binary], patience * self.seconds[test], cwd=self.tree): return os.path.basename(test)
             return 'survived'
         finally:
             shutil.rmtree(place, ignore_errors=True)
@@ -150,7 +153,7 @@ def time_tests(work, tree, tests):
     seconds = {}
     for test in tests:
         binary = os.path.join(work, 'unmutated')
-        if run(compilers() + ['-std=c99', '-I' + tree, test, '-o', binary, '-lm'], 60):
+        if run(FAST + ['-std=c99', '-I' + tree, test, '-o', binary, '-lm'], 60):
             sys.exit('mutants.py: %s does not compile' % test)
         start = time.time()
         if run([binary], 300, cwd=tree):

@@ -249,22 +249,22 @@ THEOREM(cells_at_the_pole_keep_all_digits_down_to_any_size)
 
 THEOREM(cells_anywhere_keep_all_digits_that_their_corners_have)
 {
-    /* About (3, 2, 1)/4 the directions (1, -1, -1) and (-1, 4, -5) are orthogonal to it and to each other, so
-       corners are exact. */
+    /* About c = (3, 2, 1)/4 the directions (1, -1, -1) and (-1, 4, -5) are orthogonal to it and to each other, so corners are
+       exact. Odd trials lift each corner off the sphere, to (1 + r) c, by about the size of the cell. */
+    static const double centre[3] = {0.75, 0.5, 0.25}, u[3] = {1, -1, -1}, v[3] = {-1, 4, -5};
     chance c = {84};
     double xy[2 * MOST], xyz[3 * MOST];
     int trial, bits;
     for (trial = 0; trial < 200; ++trial)
         for (bits = 40; bits <= 50; bits += 5) { /* sizes from 5e-9 to 5e-12 */
-            size_t n = whole_star(&c, xy), i;
+            size_t n = whole_star(&c, xy), i, k;
             double unit = power_of_two(-bits);
             for (i = 0; i < n; ++i) {
                 double a = unit * xy[2 * i], b = unit * xy[2 * i + 1];
-                xyz[3 * i] = 0.75 + a - b;
-                xyz[3 * i + 1] = 0.5 - a + 4 * b;
-                xyz[3 * i + 2] = 0.25 - a - 5 * b;
-                xy[2 * i] = a * sqrt(3) / (sqrt(14) / 4);
-                xy[2 * i + 1] = b * sqrt(42) / (sqrt(14) / 4);
+                double r = trial % 2 ? unit * floor(between(&c, -1000, 1000)) : 0;
+                for (k = 0; k < 3; ++k) xyz[3 * i + k] = (1 + r) * centre[k] + a * u[k] + b * v[k];
+                xy[2 * i] = a * sqrt(3) / (sqrt(14) / 4) / (1 + r);
+                xy[2 * i + 1] = b * sqrt(42) / (sqrt(14) / 4) / (1 + r);
             }
             CASE("trial %d, unit 2^-%d", trial, bits);
             says_what_its_map_says(xyz, xy, n);

@@ -175,8 +175,9 @@ THEOREM(in_a_tilted_plane_only_the_part_of_an_edge_along_the_surface_turns)
 
 THEOREM(edges_may_be_steep_without_loss)
 {
-    /* A zigzag so high that edges rise at up to 89.999 degrees. The plane is spanned by (1, 2, 2) and (2, 1, -2), so
-       corners are exact. */
+    /* A zigzag so high that edges rise at up to 89.999 degrees, in a plane spanned by (1, 2, 2) and (2, 1, -2). All corners are
+       exact, but at the larger heights their differences are not: what rounding takes from them is small beside the
+       edge and large beside its projection. */
     static const double u[3] = {1, 2, 2}, v[3] = {2, 1, -2}, up[3] = {-2, 2, -1};
     chance c = {20};
     double xy[2 * MOST], xyz[3 * MOST], normal[3 * MOST], flat[2][MOST], steep[2][MOST], height;
@@ -184,6 +185,10 @@ THEOREM(edges_may_be_steep_without_loss)
     for (trial = 0; trial < 200; ++trial)
         for (height = 1; height < 1e5; height *= 16) {
             size_t n = whole_star(&c, xy), i, k;
+            for (i = 0; i < n; i += 2) { /* the low corners have fractions */
+                xy[2 * i] += floor(between(&c, -5e8, 5e8)) * power_of_two(-38);
+                xy[2 * i + 1] += floor(between(&c, -5e8, 5e8)) * power_of_two(-38);
+            }
             for (i = 0; i < n; ++i)
                 for (k = 0; k < 3; ++k) {
                     xyz[3 * i + k] = xy[2 * i] * u[k] + xy[2 * i + 1] * v[k] + (i % 2 ? height : 0) * up[k];
@@ -260,7 +265,7 @@ THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
         onto_sphere(xy, n, trial % 2 ? 1.0 : 1e-6, on);
         turn_somehow(&c, on, n);
         for (i = 0; i < n; ++i) {
-            int most = trial % 4 ? 2 : 500;
+            int most = trial % 4 < 2 ? 2 : 500;
             double factor =
                 power_of_two((int)one_of(&c, (size_t)(2 * most + 1)) - most); /* keeps every bit of the direction */
             for (k = 0; k < 3; ++k) off[3 * i + k] = factor * on[3 * i + k];
@@ -310,7 +315,7 @@ THEOREM(the_total_turn_is_two_pi_in_the_plane)
         random_star(&c, n, xy);
         CASE("trial %d", trial);
         CHECK_OK(surfmink_measure_plane(xy, n, 0, NULL, NULL, &w, NULL));
-        CHECK_CLOSE(w.turning, 2 * PI, 1e-15 * w.condition);
+        CHECK_NEAR(w.turning, 2 * PI, 0); /* the theorem, not the sum of rounded angles */
         CHECK(w.area > 0);
     }
 }

@@ -341,7 +341,10 @@ static void regular_polygons(surfmink_surface *surface, const double *centre, do
         CHECK_OK(surfmink_regular_polygon(surface, centre, distance, 0.3, q, corner));
         CHECK_OK(surfmink_measure_surface(surface, corner, q, scratch, 24, mu, g, NULL, NULL));
         CHECK_OK(surfmink_spectrum(g, 24, NULL, NULL, theta));
-        for (p = 0; p <= 24; ++p) CHECK_NEAR(mu[p], p % (int)q == 0 ? 1 : 0, within);
+        for (p = 0; p <= 24; ++p) {
+            CHECK_NEAR(mu[p], p % (int)q == 0 ? 1 : 0, within);
+            CHECK(mu[p] <= 1);
+        }
         for (p = (int)q; p <= 24; p += (int)q) CHECK_NEAR(theta[p], 0, within); /* the co-normals are eigenvectors */
     }
 }

@@ -94,7 +94,7 @@ static void find_centre(shape *s, const picture *g, const double *corner)
             s->normal[k] += weight * (g->normal[3 * i + k] + g->normal[3 * j + k]) / 2;
         }
     }
-    for (k = 0; k < 3; ++k) s->centre[k] /= total;
+    for (k = 0; k < 3; ++k) s->centre[k] = total > 0 ? s->centre[k] / total : corner[k]; /* all corners in one point */
     for (i = 0; i < s->n; ++i) {
         j = i + 1 < s->n ? i + 1 : 0;
         for (k = 0; k < 3; ++k) a[k] = corner[3 * i + k] - s->centre[k];

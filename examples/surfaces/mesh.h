@@ -39,6 +39,7 @@
 #define SURFMINK_MESH_H
 
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -301,7 +302,7 @@ static inline int mesh__read_off(mesh__reader *r, mesh *m)
         at = r->text;
     }
     for (k = 0; k < 2; ++k)
-        if (!mesh__integer(&at, " \t\r", &count[k]) || count[k] < 0)
+        if (!mesh__integer(&at, " \t\r", &count[k]) || count[k] < 0 || count[k] > LONG_MAX / 2)
             return mesh__malformed(r, "the numbers of vertices and faces", at);
     for (k = 0; k < count[0] + count[1]; ++k) {
         status = mesh__line(r, 1, &got);

@@ -10,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* --- a world of its own for main -------------------------------------------------------------------------------------- */
+/* --- a world of its own for main ---------------------------------------------------------------------------------- */
 
 enum { LONGEST_LIST = 4096, WORDS = 32 };
 
@@ -105,7 +105,7 @@ static inline void *world_calloc(size_t n, size_t size)
 #undef exit
 #undef printf
 
-/* --- the harness -------------------------------------------------------------------------------------------------------- */
+/* --- the harness -------------------------------------------------------------------------------------------------- */
 
 /* Every line of a table has as many columns as its head. */
 static void claim_table(const char *text)

@@ -19,7 +19,7 @@ static void frames(const outline *o, size_t edge)
         for (j = 0; j <= i; ++j) CLAIM(fabs(dot(frame + 3 * i, frame + 3 * j) - (i == j)) < 1e-9);
 }
 
-/* A vector that goes round once comes back under the corrected transport, whatever the outline; and keeps its length. */
+/* A vector that goes round once comes back under the corrected transport, whatever the outline. No vector grows. */
 static void transport(const outline *o, const double *turning, bytes *in)
 {
     double frame[9], vector[3], there[3] = {-7, -7, -7}, round[3], s = 0, turned = 0;
@@ -34,8 +34,7 @@ static void transport(const outline *o, const double *turning, bytes *in)
         return;
     }
     CLAIM(from < o->n && how < 3);
-    for (k = 0; k < 3; ++k)
-        if (!(fabs(vector[k]) < 1e100)) return;
+    if (!is_tame(vector, 3)) return;
     CLAIM(sqrt(dot(there, there)) <= sqrt(dot(vector, vector)) * (1 + 1e-9) + 1e-300);
     for (i = 0; i < o->n; ++i) {
         s += turning[i];

@@ -57,7 +57,7 @@ static inline double take_number(bytes *in)
     return x + take(in) / 65536.0;
 }
 
-/* --- the two ways to run a harness ------------------------------------------------------------------------------------ */
+/* --- the two ways to run a harness -------------------------------------------------------------------------------- */
 
 static void fuzz(bytes in);
 

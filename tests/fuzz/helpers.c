@@ -1,5 +1,5 @@
-/* helpers.c - fuzzes what builds, repairs and converts: lonlat, reverse, smooth, merge, regular polygons and edges of the
-   sphere, texts of statuses. */
+/* helpers.c - fuzzes what builds, repairs and converts: lonlat, reverse, smooth, merge, regular polygons and edges of
+   the sphere, texts of statuses. */
 #include "api.h"
 
 static void lonlat(bytes *in)

@@ -110,7 +110,7 @@ static void claim_alike(const measured *a, const measured *b)
     for (p = 0; p <= RANK; ++p) CLAIM(fabs(a->mu[p] - b->mu[p]) <= loose);
 }
 
-/* --- the same outline, drawn otherwise, exactly --------------------------------------------------------------------- */
+/* --- the same outline, drawn otherwise, exactly ------------------------------------------------------------------- */
 
 static void relabel(outline *o, size_t by)
 {

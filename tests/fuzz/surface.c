@@ -66,6 +66,6 @@ static void fuzz(bytes in)
                         : surfmink_edge_points(&surface, corner, corner + 2, n, point);
     CLAIM(is_known(status));
     if (status == SURFMINK_OK) CLAIM(all_finite(point, 2 * n));
-    /* A callback that answers otherwise when it is asked again may fail in the second pass: only then is point written. */
+    /* A callback that answers otherwise when it is asked again may fail in the second pass, when point is written. */
     if (!surface.exp) CLAIM(status != SURFMINK_OK && same_bits(point, untouched, sizeof point));
 }
