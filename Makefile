@@ -5,6 +5,10 @@
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make test       all tests; needs cc and make, nothing else
 #   make check      compilers, dialects, warnings, sanitizers; needs what .ci/run installs
+#   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
+#   make fuzz       every public function and reader under clang's libFuzzer; SECONDS=60 for each
+#   make coverage   lines and branches of surfmink.h that no test takes; needs gcc, gcov, python3
+#   make mutants    do the tests notice a broken surfmink.h? hours; needs python3; MUTANTS=--sample=200
 #   make install    header, pkg-config file and commands; PREFIX=/usr/local, DESTDIR= for packagers
 #   make clean      removes .build/, where everything goes
 #
@@ -21,6 +25,13 @@ commands = surfmink levelset tissue
 experiments = $(patsubst examples/paper/%.c,$(BUILD)/paper_%,$(wildcard examples/paper/*.c))
 theorems = $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/test_*.c))
 headers = surfmink.h $(wildcard examples/*.h examples/*/*.h tests/*.h)
+
+harnesses = $(notdir $(basename $(wildcard tests/fuzz/*.c)))
+POLYGONS = 1000000
+SECONDS = 60
+MUTANTS =
+FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow \
+       -fno-sanitize-recover=all
 
 all: $(addprefix $(BUILD)/,$(commands))
 
@@ -49,6 +60,28 @@ test: all $(theorems)
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
 	  "sh tests/test_readme.sh $(BUILD) '$(CC)'"
 
+accuracy:
+	@mkdir -p $(BUILD)
+	gcc -O2 -I. tests/accuracy/accuracy.c -o $(BUILD)/accuracy -lquadmath -lm
+	$(BUILD)/accuracy --polygons $(POLYGONS)
+
+fuzz:
+	@mkdir -p $(BUILD)/fuzz
+	@for harness in $(harnesses); do \
+	  echo "$$harness"; mkdir -p $(BUILD)/fuzz/$$harness.found && \
+	  clang -std=c99 -g -O1 $(FUZZ) -I. tests/fuzz/$$harness.c -o $(BUILD)/fuzz/$$harness -lm && \
+	  { $(BUILD)/fuzz/$$harness -max_total_time=$(SECONDS) -artifact_prefix=$(BUILD)/fuzz/ \
+	      $(BUILD)/fuzz/$$harness.found tests/fuzz/corpus/$$harness > $(BUILD)/fuzz/$$harness.log 2>&1 || \
+	    { tail -n 40 $(BUILD)/fuzz/$$harness.log; exit 1; }; } || exit 1; done
+
+coverage: $(theorems)
+	@mkdir -p $(BUILD)/coverage
+	python3 tests/coverage.py $(BUILD)/coverage $(filter-out %test_mesh.c,$(wildcard tests/test_*.c))
+
+mutants:
+	@mkdir -p $(BUILD)/mutants
+	python3 tests/mutants.py --jobs 2 $(MUTANTS) $(BUILD)/mutants
+
 check:
 	@sh tests/run.sh $(BUILD)/check.total "sh tests/check.sh $(BUILD)/check"
 
@@ -63,4 +96,4 @@ install: $(BUILD)/surfmink $(BUILD)/levelset
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper test check install clean
+.PHONY: all demo paper test check accuracy fuzz coverage mutants install clean

@@ -122,6 +122,18 @@ theorems tcc
 theorems gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 theorems clang -O1 -g -fsanitize=undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all
 
+# --- fuzzing, for a moment: the corpus, and random strings made from it -----------------------------------------------
+for harness in tests/fuzz/*.c; do
+    name=$(basename "$harness" .c)
+    check "gcc, fuzz $name" "gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. $harness \
+        -o $work/fuzz -lm && $(quietly "$work/fuzz --random 2000 tests/fuzz/corpus/$name/*")"
+done
+
+# --- accuracy, on few polygons ----------------------------------------------------------------------------------------
+check "worst errors against quadruple precision" "
+    gcc -O2 -I. tests/accuracy/accuracy.c -o $work/accuracy -lquadmath -lm &&
+    $(quietly "$work/accuracy --polygons 1000")"
+
 # --- the commands under sanitizers ------------------------------------------------------------------------------------
 sanitize="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 for command in surfmink levelset tissue; do

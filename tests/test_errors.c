@@ -180,7 +180,8 @@ THEOREM(neighbours_that_coincide_are_blamed)
 THEOREM(on_the_sphere_one_direction_is_one_point_however_far_off)
 {
     double corner[12] = {1, 2, 3, 0, 0, 0, -2, 1, 2, -1, -2, 2};
-    int factor;
+    chance c = {92};
+    int factor, trial;
     size_t k;
     for (factor = 1; factor < 200; ++factor) { /* whole numbers, so that the direction is the same to the bit */
         for (k = 0; k < 3; ++k) corner[3 + k] = factor * corner[k];
@@ -189,6 +190,14 @@ THEOREM(on_the_sphere_one_direction_is_one_point_however_far_off)
         BLAMES_EITHER(edges(SPHERE, corner, 4), SURFMINK_COINCIDENT_CORNERS, 0, 1);
         for (k = 0; k < 3; ++k) corner[3 + k] *= -1;
         BLAMES_EITHER(edges(SPHERE, corner, 4), SURFMINK_ANTIPODAL_CORNERS, 0, 1);
+    }    for (trial = 0; trial < 200; ++trial) { /* nor does the rounding of a longer vector make another point */
+        double stretch = between(&c, 50, 1000);
+        for (k = 0; k < 3; ++k) {
+            corner[k] = between(&c, 0.1, 1);
+            corner[3 + k] = stretch * corner[k];
+        }
+        CASE("times %.17g", stretch);
+        BLAMES_EITHER(edges(SPHERE, corner, 4), SURFMINK_COINCIDENT_CORNERS, 0, 1);
     }
 }
 

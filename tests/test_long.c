@@ -249,8 +249,8 @@ THEOREM(cells_at_the_pole_keep_all_digits_down_to_any_size)
 
 THEOREM(cells_anywhere_keep_all_digits_that_their_corners_have)
 {
-    /* About c = (3, 2, 1)/4 the directions (1, -1, -1) and (-1, 4, -5) are orthogonal to it and to each other, so corners are
-       exact. Odd trials lift each corner off the sphere, to (1 + r) c, by about the size of the cell. */
+    /* About c = (3, 2, 1)/4 the directions (1, -1, -1) and (-1, 4, -5) are orthogonal to it and to each other, so
+       corners are exact. Odd trials lift each corner off the sphere, to (1 + r) c, by about the size of the cell. */
     static const double centre[3] = {0.75, 0.5, 0.25}, u[3] = {1, -1, -1}, v[3] = {-1, 4, -5};
     chance c = {84};
     double xy[2 * MOST], xyz[3 * MOST];

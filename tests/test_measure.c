@@ -175,9 +175,9 @@ THEOREM(in_a_tilted_plane_only_the_part_of_an_edge_along_the_surface_turns)
 
 THEOREM(edges_may_be_steep_without_loss)
 {
-    /* A zigzag so high that edges rise at up to 89.999 degrees, in a plane spanned by (1, 2, 2) and (2, 1, -2). All corners are
-       exact, but at the larger heights their differences are not: what rounding takes from them is small beside the
-       edge and large beside its projection. */
+    /* A zigzag so high that edges rise at up to 89.999 degrees, in a plane spanned by (1, 2, 2) and (2, 1, -2). All
+       corners are exact, but at the larger heights their differences are not: what rounding takes from them is small
+       beside the edge and large beside its projection. */
     static const double u[3] = {1, 2, 2}, v[3] = {2, 1, -2}, up[3] = {-2, 2, -1};
     chance c = {20};
     double xy[2 * MOST], xyz[3 * MOST], normal[3 * MOST], flat[2][MOST], steep[2][MOST], height;
@@ -257,18 +257,16 @@ THEOREM(the_sphere_by_callbacks_is_the_sphere)
 THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
 {
     chance c = {7};
-    double xy[2 * MOST], on[3 * MOST], off[3 * MOST], length[2][MOST], turning[2][MOST];
+    double xy[2 * MOST], on[3 * MOST], off[3 * MOST], length[2][MOST], turning[2][MOST], area[2];
     int trial;
     for (trial = 0; trial < 300; ++trial) {
         size_t n = 3 + one_of(&c, 20), i, k;
         random_star(&c, n, xy);
-        onto_sphere(xy, n, trial % 2 ? 1.0 : 1e-6, on);
+        onto_sphere(xy, n, trial % 2 ? 3.0 : 1e-6, on);
         turn_somehow(&c, on, n);
-        for (i = 0; i < n; ++i) {
-            int most = trial % 4 < 2 ? 2 : 500;
-            double factor =
-                power_of_two((int)one_of(&c, (size_t)(2 * most + 1)) - most); /* keeps every bit of the direction */
-            for (k = 0; k < 3; ++k) off[3 * i + k] = factor * on[3 * i + k];
+        for (i = 0; i < n; ++i) { /* powers of two keep every bit of a direction */
+            int most = trial % 4 < 2 ? 2 : 500, exponent = (int)one_of(&c, (size_t)(2 * most + 1)) - most;
+            for (k = 0; k < 3; ++k) off[3 * i + k] = ldexp(on[3 * i + k], exponent);
         }
         CASE("trial %d", trial);
         CHECK_OK(surfmink_edges_sphere(on, n, 7.0, length[0], turning[0], NULL));
@@ -277,6 +275,9 @@ THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
             CHECK_CLOSE(length[1][i], length[0][i], 3e-15);
             CHECK_ANGLE(turning[1][i], turning[0][i], 1e-14);
         }
+        CHECK_OK(surfmink_area_sphere(on, n, 7.0, &area[0]));
+        CHECK_OK(surfmink_area_sphere(off, n, 7.0, &area[1]));
+        CHECK_CLOSE(area[1], area[0], 1e-14);
     }
 }
 
@@ -486,8 +487,8 @@ THEOREM(the_area_on_a_sphere_does_not_depend_on_the_first_corner)
 
 THEOREM(of_the_two_sides_the_smaller_one_is_told_and_its_sign_says_which)
 {
-    /* Round the north pole at 105 to 115 degrees from it, with a notch that reaches almost to the pole: so all corners are
-       near the first one, and there is more than a hemisphere to the left. */
+    /* Round the north pole at 105 to 115 degrees from it, with a notch that reaches almost to the pole: so all
+       corners are near the first one, and there is more than a hemisphere to the left. */
     chance c = {24};
     double corner[3 * 20], length[20], turning[20], area;
     int trial;
