@@ -493,6 +493,15 @@ static double surfmink__scale(double m)
     return scale;
 }
 
+/* The power of two that brings a magnitude m > 0 into [1, 2): the same numbers come out of m in any unit. */
+static double surfmink__binade(double m)
+{
+    double scale = surfmink__scale(m);
+    while (m * scale >= 2) scale /= 2;
+    while (m * scale < 1 && scale < 4e307) scale *= 2; /* beyond is no double: denormals stay below 1 */
+    return scale;
+}
+
 /* Copies a vector, scaled to ordinary magnitude; the scale comes back. A zero vector stays zero. */
 static double surfmink__ordinary(const double *v, size_t dim, double *out)
 {
@@ -633,7 +642,7 @@ static void surfmink__ordinary_pair(const double *in, const double *out, size_t 
     if (out_size * scale < 6.2230152778611417e-61) surfmink__ordinary(out, dim, b);
 }
 
-/* a x b = a x (b - a), which does not cancel at nearly straight corners if a is the shorter of the two. */
+/* a x b = a x (b - a) with a the shorter: at nearly straight corners of like edges it does not cancel. */
 static double surfmink__turn_plane(const double in[2], const double out[2])
 {
     double a[2], b[2], d[2], cross;
@@ -707,12 +716,13 @@ static double surfmink__turn_steep(const double *previous, const double *x, cons
 /* Corner i of a sphere, scaled like corner 0 so that differences stay exact; on its own if absurdly far off. */
 static double surfmink__sphere_point(const surfmink__outline *o, size_t i, double x[3])
 {
-    double m;
+    const double *corner = o->corner + 3 * i;
+    double m, scale = o->scale;
     size_t k;
-    for (k = 0; k < 3; ++k) x[k] = o->corner[3 * i + k] * o->scale;
-    m = surfmink__max_abs(x, 3);
-    if (!(m <= 1.329227995784916e36 && m >= 7.5231638452626401e-37)) /* 2^120, 2^-120 */
-        surfmink__ordinary(o->corner + 3 * i, 3, x);
+    m = surfmink__max_abs(corner, 3);
+    if (!(m * scale <= 1.2676506002282294e30 && m * scale >= 7.8886090522101181e-31)) /* 2^100, 2^-100 */
+        scale = surfmink__binade(m);
+    for (k = 0; k < 3; ++k) x[k] = corner[k] * scale;
     return SURFMINK_SQRT(surfmink__dot(x, x));
 }
 
@@ -775,11 +785,10 @@ static int surfmink__check_corner(const surfmink__outline *o, size_t i)
         if (!surfmink__finite(o->corner + 3 * i, 3) || !surfmink__finite(o->normal + 3 * i, 3))
             return SURFMINK_NOT_FINITE;
         return surfmink__max_abs(o->normal + 3 * i, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
-    case SURFMINK__MEASURED:
-        if (!surfmink__finite(o->length + i, 1) || !surfmink__finite(o->turning + i, 1)) return SURFMINK_NOT_FINITE;
-        return o->length[i] >= 0 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
+    case SURFMINK__MEASURED: break;
     }
-    return SURFMINK_OK;
+    if (!surfmink__finite(o->length + i, 1) || !surfmink__finite(o->turning + i, 1)) return SURFMINK_NOT_FINITE;
+    return o->length[i] >= 0 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
 }
 
 /* Does the edge from a to b run along a normal, so that it has no direction in the tangent plane? 1e-6 rad, in sine. */
@@ -902,7 +911,7 @@ static surfmink__outline surfmink__outline_sphere(const double *corner, size_t n
     surfmink__outline o = surfmink__outline_of(SURFMINK__SPHERE, corner, NULL, n);
     double m = n > 0 && surfmink__finite(corner, 3) ? surfmink__max_abs(corner, 3) : 0;
     o.radius = radius;
-    o.scale = m > 0 ? surfmink__scale(m) : 1;
+    o.scale = m > 0 ? surfmink__binade(m) : 1;
     return o;
 }
 

@@ -6,8 +6,8 @@
 Changes one operator, constant, index or condition of the implementation at a time, compiles each mutant with the test
 programs (tcc if there is one, else cc -O0; what survives again with gcc's sanitizers) and runs them until one fails. A
 mutant that all pass has survived: a test is missing, or it means the same and belongs into tests/mutants.equivalent
-with a reason. Works in DIRECTORY; prints survivors as it finds them, and last `N killed, N survived, N equivalent, N not
-compiled`. Exit status 1 if less than 97 % of those that compile and are not equivalent are killed."""
+with a reason. Works in DIRECTORY; prints survivors as it finds them, and last `N killed, N survived, N equivalent, N
+not compiled`. Exit status 1 if less than 97 % of those that compile and are not equivalent are killed."""
 
 import argparse, concurrent.futures, os, random, re, shutil, subprocess, sys, time
 

@@ -190,7 +190,8 @@ THEOREM(on_the_sphere_one_direction_is_one_point_however_far_off)
         BLAMES_EITHER(edges(SPHERE, corner, 4), SURFMINK_COINCIDENT_CORNERS, 0, 1);
         for (k = 0; k < 3; ++k) corner[3 + k] *= -1;
         BLAMES_EITHER(edges(SPHERE, corner, 4), SURFMINK_ANTIPODAL_CORNERS, 0, 1);
-    }    for (trial = 0; trial < 200; ++trial) { /* nor does the rounding of a longer vector make another point */
+    }
+    for (trial = 0; trial < 200; ++trial) { /* nor does the rounding of a longer vector make another point */
         double stretch = between(&c, 50, 1000);
         for (k = 0; k < 3; ++k) {
             corner[k] = between(&c, 0.1, 1);

@@ -329,7 +329,8 @@ THEOREM(smoothing_takes_the_staircase_out_of_a_pixel_outline)
 
 THEOREM(merging_drops_repeated_corners_and_their_normals)
 {
-    double unknown[6] = {NAN, NAN, NAN, NAN, 1, 1};
+    const double nan = (double)NAN;
+    double unknown[6] = {nan, nan, nan, nan, 1, 1};
     double corner[14] = {1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 1, 1}; /* a a b b b c a: the last is the first again */
     double normal[21] = {10, 0, 0, 11, 0, 0, 20, 0, 0, 21, 0, 0, 22, 0, 0, 30, 0, 0, 12, 0, 0};
     static const double want[6] = {1, 1, 2, 2, 3, 3}, kept[9] = {10, 0, 0, 20, 0, 0, 30, 0, 0};
