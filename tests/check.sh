@@ -151,9 +151,9 @@ check "pictures are valid XML" "xmllint --noout .build/demo/*.svg .build/paper/*
 check "the README shows the picture of the demo" "cmp .build/demo/tissue.svg docs/pictures/tissue.svg"
 check "docs/paper.md shows the pictures of make paper" "
     for picture in docs/paper/*.svg; do cmp .build/paper/\${picture##*/} \$picture; done"
-check "make install" "$(quietly "make -s install DESTDIR=$work/root PREFIX=/usr")
-    PKG_CONFIG_PATH=$work/root/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' &&
-    test -x $work/root/usr/bin/surfmink"
+check "make install" "$(quietly "make -s install DESTDIR=$work/installed PREFIX=/usr")
+    PKG_CONFIG_PATH=$work/installed/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' &&
+    test -x $work/installed/usr/bin/surfmink"
 check "the tissue is what its generator makes" ".build/tissue | cmp - examples/data/tissue.tsv"
 check "layout" "clang-format-14 --dry-run --Werror surfmink.h \$(find examples tests -name '*.[ch]')"
 check "lines of at most 120 columns" "awk 'length > 120 { print FILENAME \":\" FNR }' surfmink.h Makefile \
