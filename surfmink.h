@@ -441,18 +441,58 @@ SURFMINK_DEF int surfmink_edge_points(const surfmink_surface *surface, const dou
 #define SURFMINK_SQRT sqrt
 #endif
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 static const double surfmink__pi = 3.14159265358979323846;
 static const double surfmink__two_pi = 6.28318530717958647693;
 static const double surfmink__eps = 2.220446049250313e-16; /* distance from 1 to the next double */
 
-/* Corners that are summed plainly before a compensated addition, and ranks that are summed in one pass over the
-   corners: together 3 KiB of stack, which stay in the first-level cache. */
-#define SURFMINK__BLOCK 64
-#define SURFMINK__TILE  16
+/* Rows of corners that are worked on at a time, and ranks (three times this) that are summed in one pass over them: they
+   stay in the first-level cache. Outlines of a batch that are sorted together. */
+#define SURFMINK__ROWS   64
+#define SURFMINK__TILES  8
+#define SURFMINK__WINDOW 64
+
+/* Sets of vector instructions: which one the compiler has been told to use. */
+#define SURFMINK__PLAIN  0
+#define SURFMINK__SSE2   1
+#define SURFMINK__AVX2   2
+#define SURFMINK__AVX512 3
+#define SURFMINK__NEON   4
+#if !defined(SURFMINK_NO_SIMD) && defined(__GNUC__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#define SURFMINK__NATIVE SURFMINK__AVX512
+#elif defined(__AVX2__) && defined(__FMA__)
+#define SURFMINK__NATIVE SURFMINK__AVX2
+#elif defined(__SSE2__)
+#define SURFMINK__NATIVE SURFMINK__SSE2
+#elif defined(__ARM_NEON) && defined(__aarch64__)
+#define SURFMINK__NATIVE SURFMINK__NEON
+#endif
+#endif
+#ifndef SURFMINK__NATIVE
+#define SURFMINK__NATIVE SURFMINK__PLAIN
+#endif
+#if defined(SURFMINK_DISPATCH) && SURFMINK__NATIVE == SURFMINK__SSE2
+#define SURFMINK__DISPATCHES
+#endif
+#if SURFMINK__NATIVE == SURFMINK__NEON
+#include <arm_neon.h>
+#elif SURFMINK__NATIVE != SURFMINK__PLAIN
+#include <immintrin.h>
+#endif
+#ifndef SURFMINK_FILE
+#define SURFMINK_FILE "surfmink.h"
+#endif
+#if defined(__GNUC__)
+#define SURFMINK__INLINE static __inline__ __attribute__((always_inline))
+#define SURFMINK__KERNEL static __inline__ /* no warning about what an instance does not use */
+#else
+#define SURFMINK__INLINE static
+#define SURFMINK__KERNEL static
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 SURFMINK_DEF const char *surfmink_strerror(int status)
 {
@@ -499,6 +539,985 @@ static double surfmink__abs(double x)
     return x < 0 ? -x : x;
 }
 
+enum surfmink__kind { SURFMINK__PLANE, SURFMINK__SPHERE, SURFMINK__EMBEDDED, SURFMINK__MEASURED };
+
+/* A sum that remembers what rounding took away (two-sum): its error does not grow with the number of terms. */
+typedef struct surfmink__sum {
+    double high, low;
+} surfmink__sum;
+
+static void surfmink__add(surfmink__sum *sum, double x)
+{
+    double high = sum->high + x;
+    double kept = high - sum->high;
+    sum->low += (sum->high - (high - kept)) + (x - kept);
+    sum->high = high;
+}
+
+static double surfmink__value(const surfmink__sum *sum)
+{
+    return sum->high + sum->low;
+}
+
+/* A batch, as surfmink_batch_* are asked for it. */
+typedef struct surfmink__job {
+    enum surfmink__kind kind;
+    const double *corner, *normal; /* embedded only: normal */
+    const size_t *offset;
+    double radius; /* 1 unless it is a sphere */
+    int max_rank;
+    const surfmink_results *out;
+    double *scratch;
+} surfmink__job;
+
+#ifdef __cplusplus
+}
+#endif
+#define SURFMINK__INSTANCE SURFMINK__PLAIN /* the formulas as single calls use them */
+#define SURFMINK__REST
+#endif /* SURFMINK_IMPLEMENTATION */
+
+/* ==================================================================================================================
+   Kernels: the formulas of the four steps, written once, for any number of lanes. A lane is an outline, or a strip of a
+   long one. This part of the file is compiled with one lane, real = double, for the calls that measure one outline; and
+   again, by including the file from itself, for every set of vector instructions that batches use. SURFMINK__(name) is
+   the name of the instance at hand. A row holds one corner of each lane; stages pass over rows that stay in the
+   first-level cache.
+   ================================================================================================================== */
+#ifdef SURFMINK__INSTANCE
+
+#if SURFMINK__INSTANCE == SURFMINK__PLAIN
+#define SURFMINK__(name)          surfmink__##name
+#define SURFMINK__LANES           1
+#define SURFMINK__WIDTH           1
+#define surfmink__real            double
+#define surfmink__mask            int
+#define SURFMINK__SET(x)          (x)
+#define SURFMINK__LOAD(at)        (*(at))
+#define SURFMINK__STORE(at, x)    (*(at) = (x))
+#define SURFMINK__MIN(a, b)       ((a) < (b) ? (a) : (b))
+#define SURFMINK__MAX(a, b)       ((a) > (b) ? (a) : (b))
+#define SURFMINK__ABS(a)          surfmink__abs(a)
+#define SURFMINK__LESS(a, b)      ((a) < (b))
+#define SURFMINK__SELECT(m, a, b) ((m) ? (a) : (b))
+#define SURFMINK__WHERE(m, a)     ((m) ? (a) : 0)
+#define SURFMINK__SIGNED(a, s)    ((s) < 0 ? -(a) : (a))
+#define SURFMINK__ROOT(a)         SURFMINK_SQRT(a)
+#else
+#define SURFMINK__LANES           8
+#define surfmink__real            SURFMINK__(real)
+#define surfmink__mask            SURFMINK__(mask)
+#define SURFMINK__SET(x)          ((x) - SURFMINK__(zero))
+#define SURFMINK__LOAD(at)        (*(const SURFMINK__(loose) *)(at))
+#define SURFMINK__STORE(at, x)    (*(SURFMINK__(loose) *)(at) = (x))
+#define SURFMINK__SIGN            ((surfmink__mask)SURFMINK__SET(-0.0))
+#define SURFMINK__ABS(a)          ((surfmink__real)(~SURFMINK__SIGN & (surfmink__mask)(a)))
+#define SURFMINK__LESS(a, b)      ((surfmink__mask)((a) < (b)))
+#define SURFMINK__SELECT(m, a, b) ((surfmink__real)(((m) & (surfmink__mask)(a)) | (~(m) & (surfmink__mask)(b))))
+#define SURFMINK__WHERE(m, a)     ((surfmink__real)((m) & (surfmink__mask)(a)))
+/* -a where the mask is set; where s < 0; where k, an integer plus 1.5 * 2^52, is odd */
+#define SURFMINK__NEGATE(m, a)    ((surfmink__real)(((m) & SURFMINK__SIGN) ^ (surfmink__mask)(a)))
+#define SURFMINK__SIGNED(a, s)    SURFMINK__NEGATE((surfmink__mask)(s), a)
+#define SURFMINK__ODD(a, k)       SURFMINK__NEGATE((surfmink__mask)(k) << 63, a)
+#endif
+#if SURFMINK__INSTANCE == SURFMINK__SSE2
+#define SURFMINK__(name)      surfmink__##name##_sse2
+#define SURFMINK__WIDTH       2
+#define SURFMINK__MIN(a, b)   _mm_min_pd(a, b)
+#define SURFMINK__MAX(a, b)   _mm_max_pd(a, b)
+#define SURFMINK__ROOT(a)     _mm_sqrt_pd(a)
+#define SURFMINK__BARRIER(a)  __asm__("" : "+x"(a))
+#elif SURFMINK__INSTANCE == SURFMINK__AVX2
+#define SURFMINK__(name)         surfmink__##name##_avx2
+#define SURFMINK__WIDTH          4
+#define SURFMINK__MIN(a, b)      _mm256_min_pd(a, b)
+#define SURFMINK__MAX(a, b)      _mm256_max_pd(a, b)
+#define SURFMINK__ROOT(a)        _mm256_sqrt_pd(a)
+#define SURFMINK__FMA(a, b, c)   _mm256_fmadd_pd(a, b, c)
+#define SURFMINK__FNMA(a, b, c)  _mm256_fnmadd_pd(a, b, c)
+#define SURFMINK__BARRIER(a)     __asm__("" : "+x"(a))
+#elif SURFMINK__INSTANCE == SURFMINK__AVX512
+#define SURFMINK__(name)         surfmink__##name##_avx512
+#define SURFMINK__WIDTH          8
+#define SURFMINK__MIN(a, b)      _mm512_min_pd(a, b)
+#define SURFMINK__MAX(a, b)      _mm512_max_pd(a, b)
+#define SURFMINK__ROOT(a)        _mm512_sqrt_pd(a)
+#define SURFMINK__FMA(a, b, c)   _mm512_fmadd_pd(a, b, c)
+#define SURFMINK__FNMA(a, b, c)  _mm512_fnmadd_pd(a, b, c)
+#define SURFMINK__BARRIER(a)     __asm__("" : "+v"(a))
+#elif SURFMINK__INSTANCE == SURFMINK__NEON
+#define SURFMINK__(name)         surfmink__##name##_neon
+#define SURFMINK__WIDTH          2
+#define SURFMINK__MIN(a, b)      ((surfmink__real)vminq_f64((float64x2_t)(a), (float64x2_t)(b)))
+#define SURFMINK__MAX(a, b)      ((surfmink__real)vmaxq_f64((float64x2_t)(a), (float64x2_t)(b)))
+#define SURFMINK__ROOT(a)        ((surfmink__real)vsqrtq_f64((float64x2_t)(a)))
+#define SURFMINK__FMA(a, b, c)   ((surfmink__real)vfmaq_f64((float64x2_t)(c), (float64x2_t)(a), (float64x2_t)(b)))
+#define SURFMINK__FNMA(a, b, c)  ((surfmink__real)vfmsq_f64((float64x2_t)(c), (float64x2_t)(a), (float64x2_t)(b)))
+#define SURFMINK__BARRIER(a)     __asm__("" : "+w"(a))
+#endif
+#ifndef SURFMINK__FMA /* a b + c and c - a b */
+#define SURFMINK__FMA(a, b, c)  ((a) * (b) + (c))
+#define SURFMINK__FNMA(a, b, c) ((c) - (a) * (b))
+#endif
+#define SURFMINK__COLUMN ((SURFMINK__ROWS + 2) * SURFMINK__LANES)
+
+#if SURFMINK__INSTANCE != SURFMINK__PLAIN
+typedef double surfmink__real __attribute__((vector_size(8 * SURFMINK__WIDTH)));
+typedef double SURFMINK__(loose) __attribute__((vector_size(8 * SURFMINK__WIDTH), aligned(8), may_alias));
+typedef __INT64_TYPE__ surfmink__mask __attribute__((vector_size(8 * SURFMINK__WIDTH)));
+static const surfmink__real SURFMINK__(zero) = {0};
+#endif
+
+/* What a group of lanes is measured in: 37 KiB for eight. Coordinates x y (z), and normals, come in columns, in which
+   row -1 holds the corner before the first. When all angles are known, columns 2 and 3 hold z_i = exp(i f_i), and
+   length and turned the real and imaginary part of l_i z_i^p. */
+typedef struct SURFMINK__(rows) {
+    double column[6][SURFMINK__COLUMN];
+    double length[SURFMINK__ROWS * SURFMINK__LANES]; /* l_i */
+    double turned[SURFMINK__ROWS * SURFMINK__LANES]; /* the sine of alpha_i, then alpha_0 + ... + alpha_i */
+    double cosine[SURFMINK__ROWS * SURFMINK__LANES];
+} SURFMINK__(rows);
+
+/* Sums over the rows of each lane. */
+typedef struct SURFMINK__(totals) {
+    double length[SURFMINK__LANES], turning[SURFMINK__LANES], area[SURFMINK__LANES];
+    double turns[SURFMINK__LANES];    /* sum |alpha_i| */
+    double sharpest[SURFMINK__LANES]; /* largest |alpha_i| */
+    double largest[SURFMINK__LANES];  /* largest sine or cosine, whose common factor is that of the unit */
+    double good[SURFMINK__LANES];     /* rows that are ordinary: padding is none */
+} SURFMINK__(totals);
+
+/* --- vectors ------------------------------------------------------------------------------------------------------ */
+
+SURFMINK__INLINE surfmink__real SURFMINK__(dot)(const surfmink__real a[3], const surfmink__real b[3])
+{
+    return SURFMINK__FMA(a[2], b[2], SURFMINK__FMA(a[1], b[1], a[0] * b[0]));
+}
+
+SURFMINK__INLINE void SURFMINK__(cross)(const surfmink__real a[3], const surfmink__real b[3],
+                                               surfmink__real c[3])
+{
+    c[0] = SURFMINK__FNMA(a[2], b[1], a[1] * b[2]);
+    c[1] = SURFMINK__FNMA(a[0], b[2], a[2] * b[0]);
+    c[2] = SURFMINK__FNMA(a[1], b[0], a[0] * b[1]);
+}
+
+/* Components and normals of one row. */
+SURFMINK__INLINE void SURFMINK__(load)(const double *at, surfmink__real v[3])
+{
+    v[0] = SURFMINK__LOAD(at);
+    v[1] = SURFMINK__LOAD(at + SURFMINK__COLUMN);
+    v[2] = SURFMINK__LOAD(at + 2 * SURFMINK__COLUMN);
+}
+
+SURFMINK__INLINE void SURFMINK__(subtract)(const surfmink__real a[3], const surfmink__real b[3],
+                                                  surfmink__real difference[3])
+{
+    difference[0] = a[0] - b[0];
+    difference[1] = a[1] - b[1];
+    difference[2] = a[2] - b[2];
+}
+
+/* --- angles ------------------------------------------------------------------------------------------------------- */
+
+#if SURFMINK__INSTANCE == SURFMINK__PLAIN
+SURFMINK__KERNEL double surfmink__atan2(double y, double x)
+{
+    return SURFMINK_ATAN2(y, x);
+}
+
+/* exp(2 pi i t) */
+SURFMINK__KERNEL void surfmink__turns(double t, double *re, double *im)
+{
+    *re = SURFMINK_COS(surfmink__two_pi * t);
+    *im = SURFMINK_SIN(surfmink__two_pi * t);
+}
+
+/* Angle at the centre of an arc of the unit sphere from its chord and the square of that, up to a right angle. */
+SURFMINK__KERNEL double surfmink__arc_angle(double chord, double square)
+{
+    return 2 * SURFMINK_ATAN2(chord, SURFMINK_SQRT(4 - square));
+}
+#else
+/* a + b u + ..., even and odd powers apart: two chains of half the length. Coefficients here and below interpolate at
+   Chebyshev's points; tests/accuracy/kernels.c computes and checks them. */
+#define SURFMINK__2(a, b)          SURFMINK__FMA(u, SURFMINK__SET(b), SURFMINK__SET(a))
+#define SURFMINK__3(a, b, c)       SURFMINK__FMA(uu, SURFMINK__SET(c), SURFMINK__2(a, b))
+#define SURFMINK__UP(rest, a, b)   SURFMINK__FMA(uu, rest, SURFMINK__2(a, b))
+
+/* Angle of (x, y) in [-pi, pi], 0 of (0, 0): a ratio within tan(pi / 8) of 0, then the octant. */
+SURFMINK__INLINE surfmink__real SURFMINK__(atan2)(surfmink__real y, surfmink__real x)
+{
+    surfmink__real across = SURFMINK__ABS(y), along = SURFMINK__ABS(x), t, u, uu, angle;
+    surfmink__real low = SURFMINK__MIN(across, along);
+    surfmink__real high = SURFMINK__MAX(SURFMINK__MAX(across, along), SURFMINK__SET(1e-300));
+    surfmink__mask wide = SURFMINK__LESS(SURFMINK__SET(0.41421356237309503) * high, low);
+    surfmink__mask steep = SURFMINK__LESS(along, across), back = SURFMINK__LESS(x, SURFMINK__SET(0.0));
+    t = (low - SURFMINK__WHERE(wide, high)) / (high + SURFMINK__WHERE(wide, low));
+    u = t * t;
+    uu = u * u;
+    angle = SURFMINK__3(-0.050854497379402598, 0.039231658295587189, -0.01917688711906226);
+    angle = SURFMINK__UP(angle, -0.066645114473819475, 0.0585814891280221);
+    angle = SURFMINK__UP(angle, -0.090909045781239026, 0.076921831908260865);
+    angle = SURFMINK__UP(angle, -0.14285714284666542, 0.11111111015256361);
+    angle = SURFMINK__UP(angle, -0.33333333333333331, 0.19999999999995521);
+    angle = SURFMINK__FMA(t * u, angle, t) + SURFMINK__WHERE(wide, SURFMINK__SET(0.78539816339744831));
+    angle = SURFMINK__NEGATE(steep, angle) + SURFMINK__WHERE(steep, SURFMINK__SET(1.5707963267948966));
+    angle = SURFMINK__NEGATE(back, angle) + SURFMINK__WHERE(back, SURFMINK__SET(3.1415926535897931));
+    return SURFMINK__SIGNED(angle, y);
+}
+
+/* exp(2 pi i t), |t| < 2^50: (-1)^k exp(pi i r) with an integer k and |r| <= 1/2, both exact. */
+SURFMINK__INLINE void SURFMINK__(turns)(surfmink__real t, surfmink__real *re, surfmink__real *im)
+{
+    const surfmink__real two = SURFMINK__SET(2.0), magic = SURFMINK__SET(6755399441055744.0); /* 1.5 * 2^52 */
+    surfmink__real k = SURFMINK__FMA(two, t, magic), r, u, uu, cosine, sine;
+    SURFMINK__BARRIER(k); /* or -ffast-math would see that k - magic is 2 t */
+    r = SURFMINK__FMA(two, t, magic - k);
+    u = r * r;
+    uu = u * u;
+    cosine = SURFMINK__2(-0.00010458286368326585, 4.1663994627269487e-06);
+    cosine = SURFMINK__UP(cosine, -0.025806890025875391, 0.001929562652479866);
+    cosine = SURFMINK__UP(cosine, -1.3352627688518803, 0.2353306302721577);
+    cosine = SURFMINK__UP(cosine, -4.934802200544679, 4.0587121264167356);
+    sine = SURFMINK__2(-2.1906201655131958e-05, 7.725743030789876e-07);
+    sine = SURFMINK__UP(sine, -0.0073704307196345862, 0.00046630087411496363);
+    sine = SURFMINK__UP(sine, -0.59926452932034302, 0.082145886596752316);
+    sine = SURFMINK__UP(sine, -5.1677127800499703, 2.5501640398773402);
+    *re = SURFMINK__ODD(SURFMINK__FMA(u, cosine, SURFMINK__SET(1.0)), k);
+    *im = SURFMINK__ODD(r * SURFMINK__FMA(u, sine, SURFMINK__SET(3.1415926535897931)), k);
+}
+
+/* 2 asin(chord / 2) for a chord up to 1, u its square. */
+SURFMINK__INLINE surfmink__real SURFMINK__(arc_angle)(surfmink__real chord, surfmink__real u)
+{
+    surfmink__real uu = u * u, angle;
+    angle = SURFMINK__3(4.1486929518446973e-09, -8.8524145312590621e-10, 4.28525378814661e-10);
+    angle = SURFMINK__UP(angle, 3.9378411675208203e-08, 5.2046839891818601e-09);
+    angle = SURFMINK__UP(angle, 8.5273516684283038e-07, 1.7515834678932046e-07);
+    angle = SURFMINK__UP(angle, 2.1847825138818251e-05, 4.2364240041186456e-06);
+    angle = SURFMINK__UP(angle, 0.00069754464291180358, 0.00011867946929113768);
+    angle = SURFMINK__UP(angle, 0.041666666666666671, 0.0046874999999990206);
+    return SURFMINK__FMA(chord * u, angle, chord);
+}
+#endif
+
+/* --- 1. measure: corners -> lengths, turning angles --------------------------------------------------------------- */
+
+/* Sine and cosine, up to a common factor, of the turn from edge a to edge b in the plane orthogonal to n:
+   n . (a x b) and a . b - (a . n)(b . n) for unit n. a x b is a x (b - a) or b x (b - a), whichever edge is shorter: at
+   nearly straight corners it does not cancel. aa, bb, nn are the squares of the vectors, norm = |n|, bn = b . n. */
+SURFMINK__INLINE void SURFMINK__(turn)(const surfmink__real a[3], surfmink__real aa, const surfmink__real b[3],
+                                              surfmink__real bb, const surfmink__real n[3], surfmink__real nn,
+                                              surfmink__real norm, surfmink__real bn, surfmink__real *sine,
+                                              surfmink__real *cosine)
+{
+    surfmink__real d[3], shorter[3], cross[3];
+    surfmink__mask less = SURFMINK__LESS(aa, bb);
+    SURFMINK__(subtract)(b, a, d);
+    shorter[0] = SURFMINK__SELECT(less, a[0], b[0]);
+    shorter[1] = SURFMINK__SELECT(less, a[1], b[1]);
+    shorter[2] = SURFMINK__SELECT(less, a[2], b[2]);
+    SURFMINK__(cross)(shorter, d, cross);
+    *sine = norm * SURFMINK__(dot)(n, cross);
+    *cosine = SURFMINK__FNMA(SURFMINK__(dot)(a, n), bn, nn * SURFMINK__(dot)(a, b));
+}
+
+/* 1 where neither edge of a turn is steep against the tangent plane, zero, or out of range: `size` is what the larger
+   one of sine and cosine comes to if both edges are tangent. NaN is not less. */
+SURFMINK__INLINE surfmink__real SURFMINK__(ordinary)(surfmink__real larger, surfmink__real size)
+{
+    surfmink__mask good = SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(0.35), size, SURFMINK__SET(1e-200)), larger);
+    return SURFMINK__WHERE(good, SURFMINK__SET(1.0));
+}
+
+#define SURFMINK__ADD_TO(total, x) SURFMINK__STORE(total + lane, SURFMINK__LOAD(total + lane) + (x))
+
+/* Straight edges between points of a surface in space. */
+SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) *r, size_t rows, SURFMINK__(totals) *t)
+{
+    surfmink__real x[3], y[3], a[3], b[3], n[3], aa, bb, nn, bn, before, length, sine, cosine, larger, sum, good, most;
+    size_t lane, i;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
+        sum = good = SURFMINK__SET(0.0);
+        most = SURFMINK__LOAD(t->largest + lane);
+        SURFMINK__(load)(r->column[0] + lane, y);
+        SURFMINK__(load)(r->column[0] + lane + SURFMINK__LANES, x);
+        SURFMINK__(subtract)(x, y, a);
+        aa = SURFMINK__(dot)(a, a);
+        before = SURFMINK__ROOT(aa);
+        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
+            SURFMINK__(load)(r->column[0] + i + 2 * SURFMINK__LANES, y);
+            SURFMINK__(load)(r->column[3] + i + SURFMINK__LANES, n);
+            SURFMINK__(subtract)(y, x, b);
+            bb = SURFMINK__(dot)(b, b);
+            nn = SURFMINK__(dot)(n, n);
+            bn = SURFMINK__(dot)(b, n);
+            length = SURFMINK__ROOT(bb);
+            SURFMINK__(turn)(a, aa, b, bb, n, nn, SURFMINK__ROOT(nn), bn, &sine, &cosine);
+            larger = SURFMINK__MAX(SURFMINK__ABS(sine), SURFMINK__ABS(cosine));
+            good = good + SURFMINK__(ordinary)(larger, nn * before * length);
+            most = SURFMINK__MAX(most, larger);
+            sum = sum + length;
+            SURFMINK__STORE(r->length + i, length);
+            SURFMINK__STORE(r->turned + i, sine);
+            SURFMINK__STORE(r->cosine + i, cosine);
+            x[0] = y[0], x[1] = y[1], x[2] = y[2];
+            a[0] = b[0], a[1] = b[1], a[2] = b[2];
+            aa = bb;
+            before = length;
+        }
+        SURFMINK__ADD_TO(t->length, sum);
+        SURFMINK__ADD_TO(t->good, good);
+        SURFMINK__STORE(t->largest + lane, most);
+    }
+}
+
+/* Great-circle edges of the unit sphere, of corners that may lie a little off it. The direction of an edge in the
+   tangent plane is that of the chord; its length needs the chord within the sphere, whose square is
+   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. A fan of triangles (p, x, y) from the first corner has the solid angle 2 arg of
+   the product of 1 + i p.(x x y) / (|p||x||y| + |y| p.x + |p| x.y + |x| y.p). */
+SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) *r, size_t rows, const double *first, size_t stride,
+                                    SURFMINK__(totals) *t)
+{
+    surfmink__real p[3], x[3], y[3], a[3], b[3], c[3], aa, bb, bn, xx, yy, p_norm, x_norm, y_norm, px, py, norms;
+    surfmink__real sine, cosine, square, length, rise, around, sum, good, re, im, part, below;
+    surfmink__mask fine;
+    size_t lane, i;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
+        sum = good = im = SURFMINK__SET(0.0);
+        re = SURFMINK__SET(1.0);
+        p[0] = SURFMINK__LOAD(first + lane);
+        p[1] = SURFMINK__LOAD(first + lane + stride);
+        p[2] = SURFMINK__LOAD(first + lane + 2 * stride);
+        SURFMINK__(load)(r->column[0] + lane, y);
+        SURFMINK__(load)(r->column[0] + lane + SURFMINK__LANES, x);
+        SURFMINK__(subtract)(x, y, a);
+        aa = SURFMINK__(dot)(a, a);
+        xx = SURFMINK__(dot)(x, x);
+        px = SURFMINK__(dot)(p, x);
+        p_norm = SURFMINK__ROOT(SURFMINK__(dot)(p, p));
+        x_norm = SURFMINK__ROOT(xx);
+        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
+            SURFMINK__(load)(r->column[0] + i + 2 * SURFMINK__LANES, y);
+            SURFMINK__(subtract)(y, x, b);
+            bb = SURFMINK__(dot)(b, b);
+            bn = SURFMINK__(dot)(b, x);
+            yy = SURFMINK__(dot)(y, y);
+            y_norm = SURFMINK__ROOT(yy);
+            SURFMINK__(turn)(a, aa, b, bb, x, xx, x_norm, bn, &sine, &cosine);
+            rise = SURFMINK__FMA(SURFMINK__SET(2.0), bn, bb); /* |y|^2 - |x|^2 */
+            rise = rise * rise;
+            around = (x_norm + y_norm) * (x_norm + y_norm);
+            norms = x_norm * y_norm;
+            square = (bb * around - rise) / SURFMINK__MAX(around * norms, SURFMINK__SET(1e-300));
+            square = SURFMINK__MAX(square, SURFMINK__SET(0.0));
+            length = SURFMINK__(arc_angle)(SURFMINK__ROOT(square), square);
+            SURFMINK__(subtract)(x, p, c);
+            SURFMINK__(cross)(c, b, a);
+            py = SURFMINK__(dot)(p, y);
+            norms = norms * p_norm;
+            below = SURFMINK__FMA(y_norm, px, norms);
+            below = SURFMINK__FMA(p_norm, xx + bn, SURFMINK__FMA(x_norm, py, below));
+            part = SURFMINK__(dot)(p, a) / SURFMINK__MAX(below, SURFMINK__SET(1e-300));
+            c[0] = SURFMINK__FNMA(im, part, re);
+            im = SURFMINK__FMA(re, part, im);
+            re = c[0];
+            fine = SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(2.0), rise, SURFMINK__SET(1e-200)), bb * around);
+            fine = fine & SURFMINK__LESS(square, SURFMINK__SET(1.0)) & SURFMINK__LESS(norms, below);
+            good = good + SURFMINK__WHERE(fine, SURFMINK__SET(1.0));
+            sum = sum + length;
+            SURFMINK__STORE(r->length + i, length);
+            SURFMINK__STORE(r->turned + i, sine);
+            SURFMINK__STORE(r->cosine + i, cosine);
+            x[0] = y[0], x[1] = y[1], x[2] = y[2];
+            a[0] = b[0], a[1] = b[1], a[2] = b[2];
+            aa = bb, xx = yy, px = py, x_norm = y_norm;
+        }
+        SURFMINK__ADD_TO(t->length, sum);
+        SURFMINK__ADD_TO(t->good, good);
+        SURFMINK__ADD_TO(t->area, SURFMINK__SET(2.0) * SURFMINK__(atan2)(im, re));
+    }
+}
+
+/* The plane needs no angles: z_i = exp(i f_i) is the direction of edge i against that of edge 0, and S is 2 pi times the
+   number of times that the direction of the edges passes the x axis, to the left less to the right. */
+SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, const double *first, size_t stride,
+                                   SURFMINK__(totals) *t)
+{
+    surfmink__real p[2], u[2], x[2], y[2], a[2], b[2], d[2], length, inverse, cross, along, re, im;
+    surfmink__real sum, good, area, turns, zero = SURFMINK__SET(0.0), one = SURFMINK__SET(1.0);
+    surfmink__mask fine, passes, a_below, b_below;
+    size_t lane, i;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
+        sum = good = area = turns = zero;
+        p[0] = SURFMINK__LOAD(first + lane);
+        p[1] = SURFMINK__LOAD(first + lane + stride);
+        u[0] = SURFMINK__LOAD(first + lane + SURFMINK__LANES) - p[0];
+        u[1] = SURFMINK__LOAD(first + lane + SURFMINK__LANES + stride) - p[1];
+        length = SURFMINK__ROOT(SURFMINK__FMA(u[1], u[1], u[0] * u[0]));
+        inverse = one / SURFMINK__MAX(length, SURFMINK__SET(1e-300));
+        u[0] = u[0] * inverse;
+        u[1] = u[1] * inverse;
+        x[0] = SURFMINK__LOAD(r->column[0] + lane + SURFMINK__LANES);
+        x[1] = SURFMINK__LOAD(r->column[1] + lane + SURFMINK__LANES);
+        a[0] = x[0] - SURFMINK__LOAD(r->column[0] + lane);
+        a[1] = x[1] - SURFMINK__LOAD(r->column[1] + lane);
+        a_below = SURFMINK__LESS(a[1], zero);
+        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
+            y[0] = SURFMINK__LOAD(r->column[0] + i + 2 * SURFMINK__LANES);
+            y[1] = SURFMINK__LOAD(r->column[1] + i + 2 * SURFMINK__LANES);
+            b[0] = y[0] - x[0];
+            b[1] = y[1] - x[1];
+            length = SURFMINK__ROOT(SURFMINK__FMA(b[1], b[1], b[0] * b[0]));
+            cross = SURFMINK__FNMA(a[1], b[0], a[0] * b[1]);
+            along = SURFMINK__FMA(a[1], b[1], a[0] * b[0]);
+            /* no spike, no edge of length 0, and nothing out of range */
+            fine = SURFMINK__LESS(SURFMINK__FNMA(SURFMINK__SET(4e-15), along, SURFMINK__SET(1e-250)),
+                                  SURFMINK__ABS(cross));
+            b_below = SURFMINK__LESS(b[1], zero);
+            passes = (a_below ^ b_below) & (b_below ^ SURFMINK__LESS(zero, cross));
+            d[0] = x[0] - p[0];
+            d[1] = x[1] - p[1];
+            re = SURFMINK__FMA(b[1], u[1], b[0] * u[0]);
+            im = SURFMINK__FNMA(b[0], u[1], b[1] * u[0]);
+            inverse = one / SURFMINK__MAX(length, SURFMINK__SET(1e-300));
+            sum = sum + length;
+            good = good + SURFMINK__WHERE(fine, one);
+            turns = turns + SURFMINK__WHERE(passes, SURFMINK__SIGNED(one, cross));
+            area = area + SURFMINK__FNMA(d[1], b[0], d[0] * b[1]);
+            SURFMINK__STORE(r->length + i, re);
+            SURFMINK__STORE(r->turned + i, im);
+            SURFMINK__STORE(r->column[2] + i, re * inverse);
+            SURFMINK__STORE(r->column[3] + i, im * inverse);
+            x[0] = y[0], x[1] = y[1];
+            a[0] = b[0], a[1] = b[1];
+            a_below = b_below;
+        }
+        SURFMINK__ADD_TO(t->length, sum);
+        SURFMINK__ADD_TO(t->good, good);
+        SURFMINK__ADD_TO(t->area, SURFMINK__SET(0.5) * area);
+        SURFMINK__ADD_TO(t->turning, SURFMINK__SET(6.2831853071795865) * turns);
+    }
+}
+
+/* --- 2. transport: turning angles -> phases ----------------------------------------------------------------------- */
+
+/* turned_i = alpha_0 + ... + alpha_i of the rows at hand, whose sum is the last of them. */
+SURFMINK__KERNEL void SURFMINK__(angles)(SURFMINK__(rows) *r, size_t rows, SURFMINK__(totals) *t)
+{
+    surfmink__real angle, size, turned, turns, sharpest;
+    size_t lane, i;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
+        turned = turns = SURFMINK__SET(0.0);
+        sharpest = SURFMINK__LOAD(t->sharpest + lane);
+        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
+            angle = SURFMINK__(atan2)(SURFMINK__LOAD(r->turned + i), SURFMINK__LOAD(r->cosine + i));
+            size = SURFMINK__ABS(angle);
+            turned = turned + angle;
+            turns = turns + size;
+            sharpest = SURFMINK__MAX(sharpest, size);
+            SURFMINK__STORE(r->turned + i, turned);
+        }
+        SURFMINK__STORE(t->turning + lane, turned);
+        SURFMINK__ADD_TO(t->turns, turns);
+        SURFMINK__STORE(t->sharpest + lane, sharpest);
+    }
+}
+
+/* z_i = exp(i f_i) with f_i = 2 pi (base + turned_i) / S, and l_i z_i. */
+SURFMINK__KERNEL void SURFMINK__(phases)(SURFMINK__(rows) *r, size_t rows, const double *base, const double *turning)
+{
+    surfmink__real start, inverse, length, re, im;
+    size_t lane, i;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
+        start = SURFMINK__LOAD(base + lane);
+        inverse = SURFMINK__SET(1.0) / SURFMINK__LOAD(turning + lane);
+        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
+            length = SURFMINK__LOAD(r->length + i);
+            SURFMINK__(turns)((start + SURFMINK__LOAD(r->turned + i)) * inverse, &re, &im);
+            SURFMINK__STORE(r->column[2] + i, re);
+            SURFMINK__STORE(r->column[3] + i, im);
+            SURFMINK__STORE(r->length + i, length * re);
+            SURFMINK__STORE(r->turned + i, length * im);
+        }
+    }
+}
+
+/* --- 3. integrate: lengths, phases -> irreducible components ------------------------------------------------------ */
+
+/* w becomes w z. */
+SURFMINK__INLINE void SURFMINK__(multiply)(surfmink__real *re, surfmink__real *im, surfmink__real z_re,
+                                                  surfmink__real z_im)
+{
+    surfmink__real t = SURFMINK__FNMA(*im, z_im, *re * z_re);
+    *im = SURFMINK__FMA(*im, z_re, *re * z_im);
+    *re = t;
+}
+
+/* w becomes w z^p, by repeated squaring. */
+SURFMINK__KERNEL void SURFMINK__(raise)(double *w_re, double *w_im, const double *z_re, const double *z_im, size_t rows, int p)
+{
+    surfmink__real re, im, x, y;
+    size_t i;
+    int left;
+    for (i = 0; i < rows * SURFMINK__LANES && p > 0; i += SURFMINK__WIDTH) {
+        re = SURFMINK__LOAD(w_re + i);
+        im = SURFMINK__LOAD(w_im + i);
+        x = SURFMINK__LOAD(z_re + i);
+        y = SURFMINK__LOAD(z_im + i);
+        for (left = p; left > 0; left /= 2) {
+            if (left % 2) SURFMINK__(multiply)(&re, &im, x, y);
+            SURFMINK__(multiply)(&x, &y, x, y);
+        }
+        SURFMINK__STORE(w_re + i, re);
+        SURFMINK__STORE(w_im + i, im);
+    }
+}
+
+/* Sums w = l z^p over the rows for three ranks on end, p, p + 1 and p + 2; w is left at rank p + 3. Three are what 16
+   registers hold.
+   sum  6 lanes  out: real and imaginary parts, rank by rank */
+SURFMINK__KERNEL void SURFMINK__(power_sums)(double *w_re, double *w_im, const double *z_re, const double *z_im, size_t rows,
+                                   double *sum)
+{
+    surfmink__real re, im, x, y, g_re[3], g_im[3];
+    size_t lane, i;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
+        g_re[0] = g_re[1] = g_re[2] = g_im[0] = g_im[1] = g_im[2] = SURFMINK__SET(0.0);
+        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
+            re = SURFMINK__LOAD(w_re + i);
+            im = SURFMINK__LOAD(w_im + i);
+            x = SURFMINK__LOAD(z_re + i);
+            y = SURFMINK__LOAD(z_im + i);
+            g_re[0] = g_re[0] + re;
+            g_im[0] = g_im[0] + im;
+            SURFMINK__(multiply)(&re, &im, x, y);
+            g_re[1] = g_re[1] + re;
+            g_im[1] = g_im[1] + im;
+            SURFMINK__(multiply)(&re, &im, x, y);
+            g_re[2] = g_re[2] + re;
+            g_im[2] = g_im[2] + im;
+            SURFMINK__(multiply)(&re, &im, x, y);
+            SURFMINK__STORE(w_re + i, re);
+            SURFMINK__STORE(w_im + i, im);
+        }
+        SURFMINK__STORE(sum + lane, g_re[0]);
+        SURFMINK__STORE(sum + lane + SURFMINK__LANES, g_im[0]);
+        SURFMINK__STORE(sum + lane + 2 * SURFMINK__LANES, g_re[1]);
+        SURFMINK__STORE(sum + lane + 3 * SURFMINK__LANES, g_im[1]);
+        SURFMINK__STORE(sum + lane + 4 * SURFMINK__LANES, g_re[2]);
+        SURFMINK__STORE(sum + lane + 5 * SURFMINK__LANES, g_im[2]);
+    }
+}
+
+/* --- 4. spectrum: irreducible components -> eigenvalues, angles --------------------------------------------------- */
+
+/* mu_p = |g_p| / L and theta_p = arg(g_p) / p. */
+SURFMINK__KERNEL void SURFMINK__(spectrum)(const double *sum, const double *length, double p, double *mu, double *theta)
+{
+    surfmink__real re, im, ratio;
+    size_t lane;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
+        re = SURFMINK__LOAD(sum + lane);
+        im = SURFMINK__LOAD(sum + lane + SURFMINK__LANES);
+        ratio = SURFMINK__ROOT(SURFMINK__FMA(im, im, re * re)) / SURFMINK__LOAD(length + lane);
+        SURFMINK__STORE(mu + lane, SURFMINK__MIN(ratio, SURFMINK__SET(1.0))); /* rounding may take it above */
+        if (theta) SURFMINK__STORE(theta + lane, SURFMINK__(atan2)(im + SURFMINK__SET(0.0), re) / SURFMINK__SET(p));
+    }
+}
+
+/* --- batches: all four steps for a group of lanes ----------------------------------------------------------------- */
+
+/* Outlines of at most SURFMINK__ROWS corners, a lane each; or the strips of one that is longer. */
+typedef struct SURFMINK__(group) {
+    size_t outline[SURFMINK__LANES]; /* which one of the batch */
+    size_t start[SURFMINK__LANES];   /* the lane's first corner, counted within the outline */
+    size_t count[SURFMINK__LANES];   /* and how many there are */
+    size_t used;                     /* lanes that hold results of their own */
+    size_t rows;                     /* of the longest lane */
+    int strips;
+    double first[3][2 * SURFMINK__LANES];               /* strips: corners 0 and 1 of the outline, in columns */
+    double base[SURFMINK__LANES];          /* turns before the lane, without alpha_0 */
+    surfmink__sum turned[SURFMINK__LANES]; /* strips: turns of the lane so far */
+    double corners[SURFMINK__LANES];       /* of the whole outline */
+} SURFMINK__(group);
+
+/* Spreads the corners of each lane over columns, from the one before `row` to the one behind the last of `rows`. Short
+   lanes are padded with the corner behind their last one: edges of length 0, which turn nowhere. */
+SURFMINK__INLINE void SURFMINK__(gather)(const surfmink__job *job, const SURFMINK__(group) *g, size_t row,
+                                                size_t rows, const double *from, size_t dim,
+                                                double (*column)[SURFMINK__COLUMN])
+{
+    const double *corner, *at;
+    size_t lane, i, k, n, end;
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+        corner = from + dim * job->offset[g->outline[lane]];
+        n = job->offset[g->outline[lane] + 1] - job->offset[g->outline[lane]];
+        end = g->start[lane] + g->count[lane];
+        k = g->start[lane] + (row < g->count[lane] ? row : g->count[lane]);
+        at = corner + dim * (k > 0 ? k - 1 : n - 1);
+        for (i = lane; i < (rows + 2) * SURFMINK__LANES; i += SURFMINK__LANES) {
+            column[0][i] = at[0];
+            column[1][i] = at[1];
+            if (dim > 2) column[2][i] = at[2];
+            at = k < n ? corner + dim * k : corner;
+            k += k < end;
+        }
+    }
+}
+
+/* Step 1, and the angles of step 2. */
+SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const SURFMINK__(group) *g, size_t row, size_t rows,
+                                SURFMINK__(rows) *r, SURFMINK__(totals) *t)
+{
+    const double *first = g->strips ? g->first[0] : r->column[0] + SURFMINK__LANES;
+    size_t stride = g->strips ? 2 * SURFMINK__LANES : SURFMINK__COLUMN;
+    if (job->kind == SURFMINK__PLANE) {
+        SURFMINK__(gather)(job, g, row, rows, job->corner, 2, r->column);
+        SURFMINK__(edges_plane)(r, rows, first, stride, t);
+        return;
+    }
+    SURFMINK__(gather)(job, g, row, rows, job->corner, 3, r->column);
+    if (job->kind == SURFMINK__SPHERE)
+        SURFMINK__(edges_sphere)(r, rows, first, stride, t);
+    else {
+        SURFMINK__(gather)(job, g, row, rows, job->normal, 3, r->column + 3);
+        SURFMINK__(edges_embedded)(r, rows, t);
+    }
+    SURFMINK__(angles)(r, rows, t);
+}
+
+/* Which lanes are ordinary, so that these results stand: t->good becomes 1 or 0. The rest is left to the calls that look
+   at each corner. S is set to what the surface says it is: 2 pi in the plane, 2 pi - area on the sphere, which keeps
+   more digits than the sum of the turns. */
+SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, const SURFMINK__(group) *g, SURFMINK__(totals) *t)
+{
+    surfmink__real length, turning, known;
+    surfmink__mask fine;
+    size_t lane;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
+        length = SURFMINK__LOAD(t->length + lane);
+        turning = SURFMINK__LOAD(t->turning + lane);
+        known = SURFMINK__SET(6.2831853071795865) - SURFMINK__LOAD(t->area + lane);
+        if (job->kind == SURFMINK__PLANE) known = SURFMINK__SET(6.2831853071795865);
+        if (job->kind == SURFMINK__EMBEDDED) known = turning;
+        fine = SURFMINK__LESS(SURFMINK__ABS(SURFMINK__LOAD(t->good + lane) - SURFMINK__LOAD(g->corners + lane)),
+                              SURFMINK__SET(0.5));
+        fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-100), length) & SURFMINK__LESS(length, SURFMINK__SET(1e100));
+        fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
+        fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->sharpest + lane), SURFMINK__SET(3.14159265358978)); /* spikes */
+        fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-3) * SURFMINK__LOAD(t->turns + lane), known);
+        fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
+        if (job->kind == SURFMINK__SPHERE)
+            fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), SURFMINK__LOAD(t->area + lane));
+        SURFMINK__STORE(t->turning + lane, SURFMINK__SELECT(fine, known, SURFMINK__SET(1.0)));
+        SURFMINK__STORE(t->good + lane, SURFMINK__WHERE(fine, SURFMINK__SET(1.0)));
+    }
+}
+
+/* What is known before any rank is. */
+SURFMINK__KERNEL void SURFMINK__(write)(const surfmink__job *job, const SURFMINK__(group) *g, const SURFMINK__(totals) *t)
+{
+    const surfmink_results *out = job->out;
+    size_t lane, i, ranks = (size_t)job->max_rank + 1;
+    for (lane = 0; lane < g->used; ++lane) {
+        if (!(t->good[lane] > 0)) continue;
+        i = g->outline[lane];
+        if (out->status) out->status[i] = SURFMINK_OK;
+        if (out->length) out->length[i] = t->length[lane] * job->radius;
+        if (out->turning) out->turning[i] = t->turning[lane];
+        if (out->area) out->area[i] = t->area[lane] * job->radius * job->radius;
+        if (out->mu) out->mu[i * ranks] = 1;
+        if (out->theta) out->theta[i * ranks] = 0;
+        if (out->g) {
+            out->g[2 * i * ranks] = t->length[lane] * job->radius;
+            out->g[2 * i * ranks + 1] = 0;
+        }
+    }
+}
+
+/* Three ranks from p on, as far as they are asked for. */
+SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SURFMINK__(group) *g,
+                                    const SURFMINK__(totals) *t, const double *sum, int p)
+{
+    const surfmink_results *out = job->out;
+    double mu[3 * SURFMINK__LANES], theta[3 * SURFMINK__LANES];
+    size_t lane, at, k, count = job->max_rank - p < 2 ? (size_t)(job->max_rank - p + 1) : 3;
+    for (k = 0; k < count; ++k)
+        SURFMINK__(spectrum)(sum + 2 * k * SURFMINK__LANES, t->length, p + (int)k, mu + k * SURFMINK__LANES,
+                             out->theta ? theta + k * SURFMINK__LANES : NULL);
+    for (lane = 0; lane < g->used; ++lane) {
+        if (!(t->good[lane] > 0)) continue;
+        at = g->outline[lane] * ((size_t)job->max_rank + 1) + (size_t)p;
+        for (k = 0; k < count; ++k) {
+            if (out->mu) out->mu[at + k] = mu[k * SURFMINK__LANES + lane];
+            if (out->theta) out->theta[at + k] = theta[k * SURFMINK__LANES + lane];
+            if (!out->g) continue;
+            out->g[2 * (at + k)] = sum[2 * k * SURFMINK__LANES + lane] * job->radius;
+            out->g[2 * (at + k) + 1] = sum[(2 * k + 1) * SURFMINK__LANES + lane] * job->radius;
+        }
+    }
+}
+
+SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) *t)
+{
+    size_t lane;
+    for (lane = 0; lane < SURFMINK__LANES; ++lane)
+        t->length[lane] = t->turning[lane] = t->area[lane] = t->turns[lane] = t->sharpest[lane] = t->largest[lane] =
+            t->good[lane] = 0;
+}
+
+/* Outlines that fit into the rows whole. */
+SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMINK__(group) *g, SURFMINK__(rows) *r,
+                                      SURFMINK__(totals) *t)
+{
+    double sum[6 * SURFMINK__LANES];
+    size_t lane;
+    int p;
+    SURFMINK__(begin)(t);
+    SURFMINK__(measure_rows)(job, g, 0, g->rows, r, t);
+    SURFMINK__(judge)(job, g, t);
+    SURFMINK__(write)(job, g, t);
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) g->base[lane] = -r->turned[lane];
+    if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, g->base, t->turning);
+    for (p = 1; p <= job->max_rank; p += 3) {
+        SURFMINK__(power_sums)(r->length, r->turned, r->column[2], r->column[3], g->rows, sum);
+        SURFMINK__(write_ranks)(job, g, t, sum, p);
+    }
+}
+
+/* Rows of the strips of a long outline, from the first on in order: turned_i is counted from where the strip starts. */
+SURFMINK__KERNEL void SURFMINK__(measure_strips)(const surfmink__job *job, SURFMINK__(group) *g, size_t row, size_t rows,
+                                       SURFMINK__(rows) *r, SURFMINK__(totals) *t)
+{
+    double before;
+    size_t lane, i;
+    if (row == 0) SURFMINK__(begin)(t);
+    SURFMINK__(measure_rows)(job, g, row, rows, r, t);
+    for (lane = 0; lane < SURFMINK__LANES && job->kind != SURFMINK__PLANE; ++lane) {
+        if (row == 0) g->turned[lane].high = g->turned[lane].low = 0;
+        before = surfmink__value(g->turned + lane);
+        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) r->turned[i] += before;
+        surfmink__add(g->turned + lane, t->turning[lane]);
+    }
+}
+
+/* Lengths and turns into the caller's scratch, or back again. */
+SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK__(group) *g, size_t row, size_t rows,
+                             SURFMINK__(rows) *r, int back)
+{
+    double *at;
+    size_t lane, i, j;
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+        at = job->scratch + 2 * (job->offset[g->outline[lane]] + g->start[lane] + row);
+        for (j = 0; j < rows; ++j, at += 2) {
+            i = j * SURFMINK__LANES + lane;
+            if (row + j >= g->count[lane]) { /* padding */
+                if (back) r->length[i] = r->turned[i] = 0;
+            } else if (back) {
+                r->length[i] = at[0];
+                r->turned[i] = at[1];
+            } else {
+                at[0] = r->length[i];
+                at[1] = r->turned[i];
+            }
+        }
+    }
+}
+
+/* The strips of a long outline put together: each lane of the totals says the same afterwards. */
+SURFMINK__KERNEL void SURFMINK__(join)(const surfmink__job *job, SURFMINK__(group) *g, SURFMINK__(totals) *t)
+{
+    surfmink__sum turning = {0, 0};
+    size_t lane;
+    for (lane = 0; lane < SURFMINK__LANES && job->kind != SURFMINK__PLANE; ++lane) {
+        g->base[lane] += surfmink__value(&turning);
+        surfmink__add(&turning, g->turned[lane].high);
+        surfmink__add(&turning, g->turned[lane].low);
+        t->turning[lane] = 0;
+    }
+    t->turning[0] += surfmink__value(&turning);
+    for (lane = 1; lane < SURFMINK__LANES; ++lane) {
+        t->length[0] += t->length[lane];
+        t->turning[0] += t->turning[lane];
+        t->area[0] += t->area[lane];
+        t->turns[0] += t->turns[lane];
+        t->good[0] += t->good[lane];
+        if (t->sharpest[lane] > t->sharpest[0]) t->sharpest[0] = t->sharpest[lane];
+        if (t->largest[lane] > t->largest[0]) t->largest[0] = t->largest[lane];
+    }
+}
+
+/* Cuts an outline of n corners into strips of like length. */
+SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, SURFMINK__(group) *g, size_t outline, size_t n)
+{
+    size_t dim = job->kind == SURFMINK__PLANE ? 2 : 3, lane, k;
+    const double *corner = job->corner + dim * job->offset[outline];
+    g->used = 1;
+    g->rows = (n + SURFMINK__LANES - 1) / SURFMINK__LANES;
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+        g->outline[lane] = outline;
+        g->start[lane] = lane * g->rows;
+        g->count[lane] = n - g->start[lane] < g->rows ? n - g->start[lane] : g->rows;
+        g->corners[lane] = (double)n;
+        for (k = 0; k < 2 * dim; ++k) g->first[k % dim][k / dim * SURFMINK__LANES + lane] = corner[k];
+    }
+}
+
+/* Outlines with more corners than there are rows, in strips: once over them for S, which every phase needs, and once for
+   each 24 ranks. */
+SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMINK__(group) *g, SURFMINK__(rows) *r,
+                                     SURFMINK__(totals) *t)
+{
+    SURFMINK__(totals) again;
+    double part[6 * SURFMINK__LANES], sum[SURFMINK__TILES][6 * SURFMINK__LANES];
+    size_t row, rows, lane, k;
+    int first, tile, tiles, kept = job->scratch && job->kind != SURFMINK__PLANE;
+    for (row = 0; row < g->rows; row += SURFMINK__ROWS) {
+        rows = g->rows - row < SURFMINK__ROWS ? g->rows - row : SURFMINK__ROWS;
+        SURFMINK__(measure_strips)(job, g, row, rows, r, t);
+        for (lane = 0; lane < SURFMINK__LANES && row == 0; ++lane) g->base[lane] = -r->turned[0];
+        if (kept) SURFMINK__(keep)(job, g, row, rows, r, 0);
+    }
+    SURFMINK__(join)(job, g, t);
+    SURFMINK__(judge)(job, g, t);
+    SURFMINK__(write)(job, g, t);
+    for (lane = 1; lane < SURFMINK__LANES; ++lane) t->turning[lane] = t->turning[0];
+    for (first = 1; first <= job->max_rank && t->good[0] > 0; first += 3 * SURFMINK__TILES) {
+        tiles = job->max_rank - first < 3 * SURFMINK__TILES ? (job->max_rank - first) / 3 + 1 : SURFMINK__TILES;
+        for (k = 0; k < 6 * SURFMINK__LANES * SURFMINK__TILES; ++k) sum[k / (6 * SURFMINK__LANES)][k % (6 * SURFMINK__LANES)] = 0;
+        for (row = 0; row < g->rows; row += SURFMINK__ROWS) {
+            rows = g->rows - row < SURFMINK__ROWS ? g->rows - row : SURFMINK__ROWS;
+            if (kept)
+                SURFMINK__(keep)(job, g, row, rows, r, 1);
+            else
+                SURFMINK__(measure_strips)(job, g, row, rows, r, &again);
+            if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, rows, g->base, t->turning);
+            SURFMINK__(raise)(r->length, r->turned, r->column[2], r->column[3], rows, first - 1);
+            for (tile = 0; tile < tiles; ++tile) {
+                SURFMINK__(power_sums)(r->length, r->turned, r->column[2], r->column[3], rows, part);
+                for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile][k] += part[k];
+            }
+        }
+        for (tile = 0; tile < tiles; ++tile) {
+            for (k = 0; k < 6 * SURFMINK__LANES; ++k)
+                if (k % SURFMINK__LANES) sum[tile][k / SURFMINK__LANES * SURFMINK__LANES] += sum[tile][k];
+            SURFMINK__(write_ranks)(job, g, t, sum[tile], first + 3 * tile);
+        }
+    }
+}
+
+/* Outlines first .. first + count - 1 of a batch, at most SURFMINK__WINDOW. Those that fit are sorted by their number of
+   corners, so that the lanes of a group are of like length.
+   careful  count  out: 1 where nothing was written because the outline is not ordinary */
+SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first, size_t count, unsigned char *careful)
+{
+    SURFMINK__(rows) r;
+    SURFMINK__(totals) t;
+    SURFMINK__(group) g;
+    const size_t *offset = job->offset + first;
+    size_t place[SURFMINK__ROWS + 2] = {0}, order[SURFMINK__WINDOW], i, n, lane, at;
+    for (i = 0; i < count; ++i) {
+        n = offset[i + 1] - offset[i];
+        careful[i] = offset[i + 1] < offset[i] || n < 3;
+        if (!careful[i] && n <= SURFMINK__ROWS) ++place[n + 1];
+    }
+    for (n = 1; n < SURFMINK__ROWS + 2; ++n) place[n] += place[n - 1];
+    for (i = 0; i < count; ++i) {
+        n = offset[i + 1] - offset[i];
+        if (!careful[i] && n <= SURFMINK__ROWS) order[place[n]++] = i;
+    }
+    g.strips = 0;
+    for (at = 0; at < place[SURFMINK__ROWS]; at += SURFMINK__LANES) {
+        g.used = place[SURFMINK__ROWS] - at < SURFMINK__LANES ? place[SURFMINK__ROWS] - at : SURFMINK__LANES;
+        for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+            i = order[at + (lane < g.used ? lane : 0)];
+            g.outline[lane] = first + i;
+            g.start[lane] = 0;
+            g.count[lane] = offset[i + 1] - offset[i];
+            g.corners[lane] = (double)g.count[lane];
+        }
+        g.rows = g.count[g.used - 1];
+        SURFMINK__(measure_short)(job, &g, &r, &t);
+        for (lane = 0; lane < g.used; ++lane) careful[g.outline[lane] - first] = !(t.good[lane] > 0);
+    }
+    g.strips = 1;
+    for (i = 0; i < count; ++i) {
+        n = offset[i + 1] - offset[i];
+        if (careful[i] || n <= SURFMINK__ROWS) continue;
+        SURFMINK__(cut)(job, &g, first + i, n);
+        SURFMINK__(measure_long)(job, &g, &r, &t);
+        careful[i] = !(t.good[0] > 0);
+    }
+}
+
+#undef SURFMINK__
+#undef SURFMINK__LANES
+#undef SURFMINK__WIDTH
+#undef SURFMINK__COLUMN
+#undef surfmink__real
+#undef surfmink__mask
+#undef SURFMINK__SET
+#undef SURFMINK__LOAD
+#undef SURFMINK__STORE
+#undef SURFMINK__MIN
+#undef SURFMINK__MAX
+#undef SURFMINK__ABS
+#undef SURFMINK__LESS
+#undef SURFMINK__SELECT
+#undef SURFMINK__WHERE
+#undef SURFMINK__NEGATE
+#undef SURFMINK__SIGNED
+#undef SURFMINK__SIGN
+#undef SURFMINK__ODD
+#undef SURFMINK__ROOT
+#undef SURFMINK__FMA
+#undef SURFMINK__FNMA
+#undef SURFMINK__BARRIER
+#undef SURFMINK__INSTANCE
+#endif /* SURFMINK__INSTANCE */
+
+#ifdef SURFMINK__REST
+#undef SURFMINK__REST
+
+/* The same again for each set of vector instructions in use. */
+#if defined(SURFMINK__NATIVE) && SURFMINK__NATIVE != SURFMINK__PLAIN
+#define SURFMINK__INSTANCE SURFMINK__NATIVE
+#include SURFMINK_FILE
+#endif
+#ifdef SURFMINK__DISPATCHES
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2,fma")
+#endif
+#define SURFMINK__INSTANCE SURFMINK__AVX2
+#include SURFMINK_FILE
+#ifdef __clang__
+#pragma clang attribute pop
+#pragma clang attribute push(__attribute__((target("avx512f,avx512dq,fma"))), apply_to = function)
+#else
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512dq,fma")
+#endif
+#define SURFMINK__INSTANCE SURFMINK__AVX512
+#include SURFMINK_FILE
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- more arithmetic ---------------------------------------------------------------------------------------------- */
+
 /* NaN fails both comparisons. */
 static int surfmink__finite(const double *v, size_t dim)
 {
@@ -537,25 +1556,13 @@ static double surfmink__binade(double m)
 }
 
 /* Copies a vector, scaled to ordinary magnitude; the scale comes back. A zero vector stays zero. */
-static double surfmink__ordinary(const double *v, size_t dim, double *out)
+static double surfmink__shrink(const double *v, size_t dim, double *out)
 {
     double m = surfmink__max_abs(v, dim);
     double scale = m > 0 ? surfmink__scale(m) : 1;
     size_t k;
     for (k = 0; k < dim; ++k) out[k] = v[k] * scale;
     return scale;
-}
-
-static double surfmink__dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void surfmink__cross(const double a[3], const double b[3], double c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
 static void surfmink__sub(const double *a, const double *b, size_t dim, double *difference)
@@ -568,7 +1575,7 @@ static void surfmink__sub(const double *a, const double *b, size_t dim, double *
 static double surfmink__norm(const double *v, size_t dim)
 {
     double u[3] = {0, 0, 0};
-    double scale = surfmink__ordinary(v, dim, u);
+    double scale = surfmink__shrink(v, dim, u);
     return SURFMINK_SQRT(surfmink__dot(u, u)) / scale;
 }
 
@@ -576,27 +1583,9 @@ static void surfmink__unit(const double *v, size_t dim, double *unit)
 {
     double u[3] = {0, 0, 0}, norm;
     size_t k;
-    surfmink__ordinary(v, dim, u);
+    surfmink__shrink(v, dim, u);
     norm = SURFMINK_SQRT(surfmink__dot(u, u));
     for (k = 0; k < dim; ++k) unit[k] = u[k] / norm;
-}
-
-/* A sum that remembers what rounding took away (two-sum): its error does not grow with the number of terms. */
-typedef struct surfmink__sum {
-    double high, low;
-} surfmink__sum;
-
-static void surfmink__add(surfmink__sum *sum, double x)
-{
-    double high = sum->high + x;
-    double kept = high - sum->high;
-    sum->low += (sum->high - (high - kept)) + (x - kept);
-    sum->high = high;
-}
-
-static double surfmink__value(const surfmink__sum *sum)
-{
-    return sum->high + sum->low;
 }
 
 /* a b - c d with the digits that survive when the two products cancel. Factors of ordinary magnitude are split into a
@@ -632,8 +1621,6 @@ static int surfmink__blame(int status, size_t corner, size_t *bad)
 /* --- 1. measure --------------------------------------------------------------------------------------------------- */
 
 /* An outline, whatever its surface: corners are measured one at a time, so that no call needs memory for all. */
-enum surfmink__kind { SURFMINK__PLANE, SURFMINK__SPHERE, SURFMINK__EMBEDDED, SURFMINK__MEASURED };
-
 typedef struct surfmink__outline {
     const double *corner;           /* plane 2 n, sphere and embedded 3 n */
     const double *normal;           /* embedded 3 n */
@@ -672,8 +1659,8 @@ static void surfmink__ordinary_pair(const double *in, const double *out, size_t 
         a[k] = in[k] * scale;
         b[k] = out[k] * scale;
     }
-    if (in_size * scale < 6.2230152778611417e-61) surfmink__ordinary(in, dim, a); /* 2^-200 */
-    if (out_size * scale < 6.2230152778611417e-61) surfmink__ordinary(out, dim, b);
+    if (in_size * scale < 6.2230152778611417e-61) surfmink__shrink(in, dim, a); /* 2^-200 */
+    if (out_size * scale < 6.2230152778611417e-61) surfmink__shrink(out, dim, b);
 }
 
 /* a x b = a x (b - a) with a the shorter: at nearly straight corners of like edges it does not cancel. */
@@ -689,21 +1676,16 @@ static double surfmink__turn_plane(const double in[2], const double out[2])
     return surfmink__angle(cross, a[0] * b[0] + a[1] * b[1]);
 }
 
-/* Turn from one edge to the next in the plane orthogonal to n: atan2(n . (in x out), in . out - (in . n)(out . n))
-   for unit n. */
-static double surfmink__turn(const double in[3], const double out[3], const double normal[3])
+/* Turn from one edge to the next in the plane orthogonal to a normal of any length. */
+static double surfmink__turn_embedded(const double in[3], const double out[3], const double normal[3])
 {
-    double a[3], b[3], d[3], n[3], cross[3], nn;
+    double a[3], b[3], n[3], nn, sine, cosine;
     surfmink__ordinary_pair(in, out, 3, a, b);
-    surfmink__ordinary(normal, 3, n);
-    surfmink__sub(b, a, 3, d);
-    if (surfmink__dot(a, a) <= surfmink__dot(b, b)) /* as in the plane */
-        surfmink__cross(a, d, cross);
-    else
-        surfmink__cross(b, d, cross);
+    surfmink__shrink(normal, 3, n);
     nn = surfmink__dot(n, n);
-    return surfmink__angle(SURFMINK_SQRT(nn) * surfmink__dot(n, cross),
-                           nn * surfmink__dot(a, b) - surfmink__dot(a, n) * surfmink__dot(b, n));
+    surfmink__turn(a, surfmink__dot(a, a), b, surfmink__dot(b, b), n, nn, SURFMINK_SQRT(nn), surfmink__dot(b, n), &sine,
+                   &cosine);
+    return surfmink__angle(sine, cosine);
 }
 
 /* n x (b - a): the difference keeps what rounding takes from it, for where it is almost along n that is all there
@@ -728,8 +1710,8 @@ static void surfmink__across(const double n[3], const double a[3], const double 
 static int surfmink__steep(const double edge[3], const double normal[3])
 {
     double e[3], n[3], along;
-    surfmink__ordinary(edge, 3, e);
-    surfmink__ordinary(normal, 3, n);
+    surfmink__shrink(edge, 3, e);
+    surfmink__shrink(normal, 3, n);
     along = surfmink__dot(e, n);
     return 2 * along * along > surfmink__dot(e, e) * surfmink__dot(n, n);
 }
@@ -738,11 +1720,11 @@ static int surfmink__steep(const double edge[3], const double normal[3])
 static double surfmink__turn_steep(const double *previous, const double *x, const double *next, const double *normal)
 {
     double n[3], a[3], b[3], cross[3];
-    surfmink__ordinary(normal, 3, n);
+    surfmink__shrink(normal, 3, n);
     surfmink__across(n, previous, x, a);
     surfmink__across(n, x, next, b);
-    surfmink__ordinary(a, 3, a);
-    surfmink__ordinary(b, 3, b);
+    surfmink__shrink(a, 3, a);
+    surfmink__shrink(b, 3, b);
     surfmink__fine_cross(a, b, cross);
     return surfmink__angle(surfmink__dot(n, cross) / SURFMINK_SQRT(surfmink__dot(n, n)), surfmink__dot(a, b));
 }
@@ -793,17 +1775,17 @@ static double surfmink__chord(const double x[3], double x_norm, const double y[3
 static int surfmink__arc(const double x[3], double x_norm, const double y[3], double y_norm, double direction[3],
                          double *angle)
 {
-    double opposite[3], gap, rest;
+    double opposite[3], gap;
     size_t k;
     int obtuse = surfmink__dot(x, y) < 0;
     for (k = 0; k < 3; ++k) opposite[k] = obtuse ? -y[k] : y[k];
     gap = surfmink__chord(x, x_norm, opposite, y_norm, direction);
     if (obtuse && !(gap > 8 * surfmink__eps)) return SURFMINK_ANTIPODAL_CORNERS;
     if (!(gap > 0)) return SURFMINK_COINCIDENT_CORNERS;
-    rest = SURFMINK_SQRT(4 - gap * gap);
-    if (obtuse)
-        for (k = 0; k < 3; ++k) direction[k] = -direction[k];
-    *angle = obtuse ? 2 * SURFMINK_ATAN2(rest, gap) : 2 * SURFMINK_ATAN2(gap, rest);
+    *angle = surfmink__arc_angle(gap, gap * gap);
+    if (!obtuse) return SURFMINK_OK;
+    *angle = surfmink__pi - *angle;
+    for (k = 0; k < 3; ++k) direction[k] = -direction[k];
     return SURFMINK_OK;
 }
 
@@ -830,8 +1812,8 @@ static int surfmink__upright(const double *a, const double *b, const double edge
 {
     double e[3], n[3], across[3];
     if (!surfmink__steep(edge, normal)) return 0;
-    surfmink__ordinary(edge, 3, e);
-    surfmink__ordinary(normal, 3, n);
+    surfmink__shrink(edge, 3, e);
+    surfmink__shrink(normal, 3, n);
     surfmink__across(n, a, b, across);
     return !(surfmink__dot(across, across) > 1e-12 * surfmink__dot(e, e) * surfmink__dot(n, n));
 }
@@ -893,7 +1875,7 @@ static void surfmink__measure_corner(const surfmink__outline *o, size_t i, doubl
         y_norm = surfmink__sphere_point(o, next, y);
         surfmink__arc(x, x_norm, y, y_norm, out, &angle);
         *length = o->radius * angle;
-        *turning = surfmink__turn(in, out, x);
+        *turning = surfmink__turn_embedded(in, out, x);
         break;
     case SURFMINK__EMBEDDED:
         surfmink__sub(o->corner + 3 * i, o->corner + 3 * previous, 3, in);
@@ -903,7 +1885,7 @@ static void surfmink__measure_corner(const surfmink__outline *o, size_t i, doubl
             *turning = surfmink__turn_steep(o->corner + 3 * previous, o->corner + 3 * i, o->corner + 3 * next,
                                             o->normal + 3 * i);
         else
-            *turning = surfmink__turn(in, out, o->normal + 3 * i);
+            *turning = surfmink__turn_embedded(in, out, o->normal + 3 * i);
         break;
     case SURFMINK__MEASURED:
         *length = o->length[i];
@@ -1146,7 +2128,10 @@ static int surfmink__judge_sphere(const surfmink__outline *o, double turned, sur
         if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
         solid_angle += (1 - k) * surfmink__two_pi;
         if (solid_angle < -1 || solid_angle > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
-        if (fan == SURFMINK__GOOD_FAN) w->curvature = solid_angle;
+        if (fan == SURFMINK__GOOD_FAN) {
+            w->curvature = solid_angle;
+            w->turning = surfmink__two_pi - solid_angle; /* has more digits than a sum of rounded turns */
+        }
     }
     status = surfmink__check_turning(w->turning, turned, o->n);
     w->area = w->curvature * o->radius * o->radius;
@@ -1315,36 +2300,17 @@ typedef struct surfmink__curve {
     size_t first;
 } surfmink__curve;
 
-/* One block of edges: w = l z^p for the rank p in hand, and z = exp(i f). */
+/* A block of edges on its way through the ranks: w = l z^p with z = exp(i f). */
 typedef struct surfmink__block {
-    double w_re[SURFMINK__BLOCK], w_im[SURFMINK__BLOCK], z_re[SURFMINK__BLOCK], z_im[SURFMINK__BLOCK];
-    size_t count;
+    double w_re[SURFMINK__ROWS], w_im[SURFMINK__ROWS], z_re[SURFMINK__ROWS], z_im[SURFMINK__ROWS];
 } surfmink__block;
 
-/* z^p by repeated squaring. */
-static void surfmink__power(double z_re, double z_im, int p, double *re, double *im)
-{
-    double t;
-    *re = 1;
-    *im = 0;
-    for (; p > 0; p /= 2) {
-        if (p % 2) {
-            t = *re * z_re - *im * z_im;
-            *im = *re * z_im + *im * z_re;
-            *re = t;
-        }
-        t = z_re * z_re - z_im * z_im;
-        z_im = 2 * z_re * z_im;
-        z_re = t;
-    }
-}
-
-/* Fills a block with the edges from number `start` of the curve on; `turned` is carried from block to block. */
-static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count, int rank, surfmink__sum *turned,
+/* Fills a block with l z of the edges from number `start` of the curve on; `turned` is carried from block to block. */
+static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count, surfmink__sum *turned,
                            surfmink__block *b)
 {
     const surfmink__outline *o = c->outline;
-    double length, turning, phase, re, im;
+    double length, turning, phase;
     size_t j, k, i;
     for (j = 0; j < count; ++j) {
         k = start + j; /* edges passed since the fiducial point */
@@ -1356,27 +2322,9 @@ static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count,
         phase = c->phase ? c->phase[i] : c->factor * surfmink__value(turned);
         b->z_re[j] = SURFMINK_COS(phase);
         b->z_im[j] = SURFMINK_SIN(phase);
-        surfmink__power(b->z_re[j], b->z_im[j], rank, &re, &im);
-        b->w_re[j] = length * c->unit * re;
-        b->w_im[j] = length * c->unit * im;
+        b->w_re[j] = length * c->unit * b->z_re[j];
+        b->w_im[j] = length * c->unit * b->z_im[j];
     }
-    b->count = count;
-}
-
-/* Adds g_p of a block to the sum and moves the block on to the next rank: w becomes w z. */
-static void surfmink__add_rank(surfmink__block *b, surfmink__sum *g_re, surfmink__sum *g_im)
-{
-    double re = 0, im = 0, t;
-    size_t j;
-    for (j = 0; j < b->count; ++j) {
-        re += b->w_re[j];
-        im += b->w_im[j];
-        t = b->w_re[j] * b->z_re[j] - b->w_im[j] * b->z_im[j];
-        b->w_im[j] = b->w_re[j] * b->z_im[j] + b->w_im[j] * b->z_re[j];
-        b->w_re[j] = t;
-    }
-    surfmink__add(g_re, re);
-    surfmink__add(g_im, im);
 }
 
 static double surfmink__modulus(double re, double im)
@@ -1394,27 +2342,31 @@ static double surfmink__ratio(double re, double im, double length)
     return mu > 1 ? 1 : mu;
 }
 
-/* g_p = sum l_i exp(i p f_i) and mu_p = |g_p| / L for p = 1..P, a tile of ranks at a time; g_0 = L is known. */
+/* g_p = sum l_i exp(i p f_i) and mu_p = |g_p| / L for p = 1..P, 24 ranks at a time; g_0 = L is known. */
 static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *mu, double *g)
 {
     surfmink__block block;
-    surfmink__sum sum[2 * SURFMINK__TILE], turned;
+    surfmink__sum sum[6 * SURFMINK__TILES], turned;
     size_t count = c->outline->n + (c->fraction > 0 ? 1 : 0), start, size;
-    double re, im;
-    int first, p, ranks;
+    double part[6], re, im;
+    int first, p, k, ranks;
     if (g) {
         g[0] = c->length;
         g[1] = 0;
     }
     if (mu) mu[0] = 1;
     for (first = 1; first <= max_rank; first += ranks) {
-        ranks = max_rank - first < SURFMINK__TILE ? max_rank - first + 1 : SURFMINK__TILE;
+        ranks = max_rank - first < 3 * SURFMINK__TILES ? max_rank - first + 1 : 3 * SURFMINK__TILES;
         turned.high = turned.low = 0;
-        for (p = 0; p < 2 * ranks; ++p) sum[p].high = sum[p].low = 0;
+        for (k = 0; k < 6 * SURFMINK__TILES; ++k) sum[k].high = sum[k].low = 0;
         for (start = 0; start < count; start += size) {
-            size = count - start < SURFMINK__BLOCK ? count - start : SURFMINK__BLOCK;
-            surfmink__fill(c, start, size, first, &turned, &block);
-            for (p = 0; p < ranks; ++p) surfmink__add_rank(&block, sum + 2 * p, sum + 2 * p + 1);
+            size = count - start < SURFMINK__ROWS ? count - start : SURFMINK__ROWS;
+            surfmink__fill(c, start, size, &turned, &block);
+            surfmink__raise(block.w_re, block.w_im, block.z_re, block.z_im, size, first - 1);
+            for (p = 0; p < ranks; p += 3) {
+                surfmink__power_sums(block.w_re, block.w_im, block.z_re, block.z_im, size, part);
+                for (k = 0; k < 6; ++k) surfmink__add(sum + 2 * p + k, part[k]);
+            }
         }
         for (p = 0; p < ranks; ++p) {
             re = surfmink__value(sum + 2 * p);
@@ -1712,57 +2664,109 @@ SURFMINK_DEF int surfmink_measure_surface(const surfmink_surface *surface, const
 
 /* --- batches ------------------------------------------------------------------------------------------------------ */
 
-/* PLACEHOLDER */
-static size_t surfmink__batch_slowly(int kind, const double *corner, const double *normal, double radius,
-                                     const size_t *offset, size_t count, int max_rank, const surfmink_results *out)
+typedef void surfmink__measure_window(const surfmink__job *job, size_t first, size_t count, unsigned char *careful);
+
+/* One outline, by the call that looks at each corner. Returns whether it is refused. */
+static int surfmink__careful(const surfmink__job *job, size_t i)
 {
-    size_t i, refused = 0, ranks = max_rank >= 0 ? (size_t)max_rank + 1 : 0;
-    for (i = 0; i < count; ++i) {
-        size_t n = offset[i + 1] - offset[i], bad;
-        surfmink_functionals w;
-        double *mu = out->mu ? out->mu + i * ranks : NULL, *g = out->g ? out->g + 2 * i * ranks : NULL;
-        double kept[514], *h = g ? g : kept;
-        int status;
-        if (kind == 0)
-            status = surfmink_measure_plane(corner + 2 * offset[i], n, max_rank, mu, h, &w, &bad);
-        else if (kind == 1)
-            status = surfmink_measure_sphere(corner + 3 * offset[i], n, radius, max_rank, mu, h, &w, &bad);
-        else
-            status = surfmink_measure_embedded(corner + 3 * offset[i], normal + 3 * offset[i], n, max_rank, mu, h, &w,
-                                               &bad);
-        if (out->status) out->status[i] = status;
-        if (status != SURFMINK_OK) {
-            if (out->bad) out->bad[i] = bad;
-            ++refused;
-            continue;
-        }
-        if (out->length) out->length[i] = w.length;
-        if (out->turning) out->turning[i] = w.turning;
-        if (out->area) out->area[i] = w.area;
-        if (out->theta) surfmink_spectrum(h, max_rank, NULL, NULL, out->theta + i * ranks);
+    const surfmink_results *out = job->out;
+    size_t at = job->offset[i], n = job->offset[i + 1] - at, ranks = (size_t)job->max_rank + 1, bad = 0;
+    double *mu = out->mu ? out->mu + i * ranks : NULL, *g = out->g ? out->g + 2 * i * ranks : NULL;
+    surfmink_functionals w;
+    int status;
+    if (job->offset[i + 1] < at)
+        status = surfmink__blame(SURFMINK_BAD_ARGUMENT, 0, &bad);
+    else if (job->kind == SURFMINK__PLANE)
+        status = surfmink_measure_plane(job->corner + 2 * at, n, job->max_rank, mu, g, &w, &bad);
+    else if (job->kind == SURFMINK__SPHERE)
+        status = surfmink_measure_sphere(job->corner + 3 * at, n, job->radius, job->max_rank, mu, g, &w, &bad);
+    else
+        status = surfmink_measure_embedded(job->corner + 3 * at, job->normal + 3 * at, n, job->max_rank, mu, g, &w, &bad);
+    if (out->status) out->status[i] = status;
+    if (status != SURFMINK_OK) {
+        if (out->bad) out->bad[i] = bad;
+        return 1;
+    }
+    if (out->length) out->length[i] = w.length;
+    if (out->turning) out->turning[i] = w.turning;
+    if (out->area) out->area[i] = w.area;
+    return 0;
+}
+
+static size_t surfmink__batch(const surfmink__job *job, size_t count, surfmink__measure_window *measure)
+{
+    const ptrdiff_t windows = (ptrdiff_t)((count + SURFMINK__WINDOW - 1) / SURFMINK__WINDOW);
+    size_t refused = 0;
+    ptrdiff_t k;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 4) reduction(+ : refused)
+#endif
+    for (k = 0; k < windows; ++k) {
+        unsigned char careful[SURFMINK__WINDOW];
+        size_t first = (size_t)k * SURFMINK__WINDOW, i;
+        size_t size = count - first < SURFMINK__WINDOW ? count - first : SURFMINK__WINDOW;
+        measure(job, first, size, careful);
+        for (i = 0; i < size; ++i)
+            if (careful[i]) refused += (size_t)surfmink__careful(job, first + i);
     }
     return refused;
+}
+
+/* The instance of the kernels for the machine at hand. */
+static surfmink__measure_window *surfmink__choose(void)
+{
+#ifdef SURFMINK__DISPATCHES
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return surfmink__window_avx512;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return surfmink__window_avx2;
+#endif
+#if SURFMINK__NATIVE == SURFMINK__AVX512
+    return surfmink__window_avx512;
+#elif SURFMINK__NATIVE == SURFMINK__AVX2
+    return surfmink__window_avx2;
+#elif SURFMINK__NATIVE == SURFMINK__SSE2
+    return surfmink__window_sse2;
+#elif SURFMINK__NATIVE == SURFMINK__NEON
+    return surfmink__window_neon;
+#else
+    return surfmink__window;
+#endif
+}
+
+static surfmink__job surfmink__job_of(enum surfmink__kind kind, const double *corner, const double *normal,
+                                      const size_t *offset, int max_rank, const surfmink_results *out, double *scratch)
+{
+    surfmink__job job;
+    job.kind = kind;
+    job.corner = corner;
+    job.normal = normal;
+    job.offset = offset;
+    job.radius = 1;
+    job.max_rank = max_rank;
+    job.out = out;
+    job.scratch = scratch;
+    return job;
 }
 
 SURFMINK_DEF size_t surfmink_batch_plane(const double *corner, const size_t *offset, size_t count, int max_rank,
                                          const surfmink_results *out, double *scratch)
 {
-    (void)scratch;
-    return surfmink__batch_slowly(0, corner, NULL, 1, offset, count, max_rank, out);
+    surfmink__job job = surfmink__job_of(SURFMINK__PLANE, corner, NULL, offset, max_rank, out, scratch);
+    return surfmink__batch(&job, count, surfmink__choose());
 }
 
 SURFMINK_DEF size_t surfmink_batch_sphere(const double *corner, const size_t *offset, size_t count, double radius,
                                           int max_rank, const surfmink_results *out, double *scratch)
 {
-    (void)scratch;
-    return surfmink__batch_slowly(1, corner, NULL, radius, offset, count, max_rank, out);
+    surfmink__job job = surfmink__job_of(SURFMINK__SPHERE, corner, NULL, offset, max_rank, out, scratch);
+    job.radius = radius;
+    return surfmink__batch(&job, count, surfmink__choose());
 }
 
 SURFMINK_DEF size_t surfmink_batch_embedded(const double *corner, const double *normal, const size_t *offset,
                                             size_t count, int max_rank, const surfmink_results *out, double *scratch)
 {
-    (void)scratch;
-    return surfmink__batch_slowly(2, corner, normal, 1, offset, count, max_rank, out);
+    surfmink__job job = surfmink__job_of(SURFMINK__EMBEDDED, corner, normal, offset, max_rank, out, scratch);
+    return surfmink__batch(&job, count, surfmink__choose());
 }
 
 /* --- the sphere as a surface -------------------------------------------------------------------------------------- */
