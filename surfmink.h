@@ -482,6 +482,9 @@ static const double surfmink__eps = 2.220446049250313e-16; /* distance from 1 to
 #ifndef SURFMINK_FILE
 #define SURFMINK_FILE "surfmink.h"
 #endif
+#if SURFMINK__NATIVE != SURFMINK__PLAIN
+typedef double surfmink__pair __attribute__((vector_size(16), may_alias));
+#endif
 #if defined(__GNUC__)
 #define SURFMINK__INLINE static __inline__ __attribute__((always_inline))
 #define SURFMINK__KERNEL static __inline__ /* no warning about what an instance does not use */
@@ -589,7 +592,9 @@ typedef struct surfmink__job {
 #if SURFMINK__INSTANCE == SURFMINK__PLAIN
 #define SURFMINK__(name)          surfmink__##name
 #define SURFMINK__LANES           1
+#define SURFMINK__ALIGNED
 #define SURFMINK__WIDTH           1
+#define SURFMINK__GANG            1
 #define surfmink__real            double
 #define surfmink__mask            int
 #define SURFMINK__SET(x)          (x)
@@ -605,11 +610,13 @@ typedef struct surfmink__job {
 #define SURFMINK__ROOT(a)         SURFMINK_SQRT(a)
 #else
 #define SURFMINK__LANES           8
+#define SURFMINK__GANG            2
+#define SURFMINK__ALIGNED         __attribute__((aligned(64)))
 #define surfmink__real            SURFMINK__(real)
 #define surfmink__mask            SURFMINK__(mask)
 #define SURFMINK__SET(x)          ((x) - SURFMINK__(zero))
-#define SURFMINK__LOAD(at)        (*(const SURFMINK__(loose) *)(at))
-#define SURFMINK__STORE(at, x)    (*(SURFMINK__(loose) *)(at) = (x))
+#define SURFMINK__LOAD(at)        (*(const SURFMINK__(loaded) *)(const void *)(at))
+#define SURFMINK__STORE(at, x)    (*(SURFMINK__(loaded) *)(void *)(at) = (x))
 #define SURFMINK__SIGN            ((surfmink__mask)SURFMINK__SET(-0.0))
 #define SURFMINK__ABS(a)          ((surfmink__real)(~SURFMINK__SIGN & (surfmink__mask)(a)))
 #define SURFMINK__LESS(a, b)      ((surfmink__mask)((a) < (b)))
@@ -663,7 +670,7 @@ typedef struct surfmink__job {
 
 #if SURFMINK__INSTANCE != SURFMINK__PLAIN
 typedef double surfmink__real __attribute__((vector_size(8 * SURFMINK__WIDTH)));
-typedef double SURFMINK__(loose) __attribute__((vector_size(8 * SURFMINK__WIDTH), aligned(8), may_alias));
+typedef double SURFMINK__(loaded) __attribute__((vector_size(8 * SURFMINK__WIDTH), may_alias));
 typedef __INT64_TYPE__ surfmink__mask __attribute__((vector_size(8 * SURFMINK__WIDTH)));
 static const surfmink__real SURFMINK__(zero) = {0};
 #endif
@@ -671,7 +678,7 @@ static const surfmink__real SURFMINK__(zero) = {0};
 /* What a group of lanes is measured in: 37 KiB for eight. Coordinates x y (z), and normals, come in columns, in which
    row -1 holds the corner before the first. When all angles are known, columns 2 and 3 hold z_i = exp(i f_i), and
    length and turned the real and imaginary part of l_i z_i^p. */
-typedef struct SURFMINK__(rows) {
+typedef struct SURFMINK__ALIGNED SURFMINK__(rows) {
     double column[6][SURFMINK__COLUMN];
     double length[SURFMINK__ROWS * SURFMINK__LANES]; /* l_i */
     double turned[SURFMINK__ROWS * SURFMINK__LANES]; /* the sine of alpha_i, then alpha_0 + ... + alpha_i */
@@ -679,13 +686,18 @@ typedef struct SURFMINK__(rows) {
 } SURFMINK__(rows);
 
 /* Sums over the rows of each lane. */
-typedef struct SURFMINK__(totals) {
+typedef struct SURFMINK__ALIGNED SURFMINK__(totals) {
     double length[SURFMINK__LANES], turning[SURFMINK__LANES], area[SURFMINK__LANES];
     double turns[SURFMINK__LANES];    /* sum |alpha_i| */
     double sharpest[SURFMINK__LANES]; /* largest |alpha_i| */
     double largest[SURFMINK__LANES];  /* largest sine or cosine, whose common factor is that of the unit */
     double good[SURFMINK__LANES];     /* rows that are ordinary: padding is none */
 } SURFMINK__(totals);
+
+/* Three ranks of each lane, a row each (g_p: two). */
+typedef struct SURFMINK__ALIGNED SURFMINK__(ranks) {
+    double g[6 * SURFMINK__LANES], mu[3 * SURFMINK__LANES], theta[3 * SURFMINK__LANES];
+} SURFMINK__(ranks);
 
 /* --- vectors ------------------------------------------------------------------------------------------------------ */
 
@@ -771,19 +783,24 @@ SURFMINK__INLINE surfmink__real SURFMINK__(atan2)(surfmink__real y, surfmink__re
 SURFMINK__INLINE void SURFMINK__(turns)(surfmink__real t, surfmink__real *re, surfmink__real *im)
 {
     const surfmink__real two = SURFMINK__SET(2.0), magic = SURFMINK__SET(6755399441055744.0); /* 1.5 * 2^52 */
-    surfmink__real k = SURFMINK__FMA(two, t, magic), r, u, uu, cosine, sine;
+    surfmink__real k = SURFMINK__FMA(two, t, magic), r, u, cosine, sine;
     SURFMINK__BARRIER(k); /* or -ffast-math would see that k - magic is 2 t */
     r = SURFMINK__FMA(two, t, magic - k);
     u = r * r;
-    uu = u * u;
-    cosine = SURFMINK__2(-0.00010458286368326585, 4.1663994627269487e-06);
-    cosine = SURFMINK__UP(cosine, -0.025806890025875391, 0.001929562652479866);
-    cosine = SURFMINK__UP(cosine, -1.3352627688518803, 0.2353306302721577);
-    cosine = SURFMINK__UP(cosine, -4.934802200544679, 4.0587121264167356);
-    sine = SURFMINK__2(-2.1906201655131958e-05, 7.725743030789876e-07);
-    sine = SURFMINK__UP(sine, -0.0073704307196345862, 0.00046630087411496363);
-    sine = SURFMINK__UP(sine, -0.59926452932034302, 0.082145886596752316);
-    sine = SURFMINK__UP(sine, -5.1677127800499703, 2.5501640398773402);
+    cosine = SURFMINK__FMA(u, SURFMINK__SET(4.1663994627269487e-06), SURFMINK__SET(-0.00010458286368326585));
+    cosine = SURFMINK__FMA(u, cosine, SURFMINK__SET(0.001929562652479866));
+    cosine = SURFMINK__FMA(u, cosine, SURFMINK__SET(-0.025806890025875391));
+    cosine = SURFMINK__FMA(u, cosine, SURFMINK__SET(0.2353306302721577));
+    cosine = SURFMINK__FMA(u, cosine, SURFMINK__SET(-1.3352627688518803));
+    cosine = SURFMINK__FMA(u, cosine, SURFMINK__SET(4.0587121264167356));
+    cosine = SURFMINK__FMA(u, cosine, SURFMINK__SET(-4.934802200544679));
+    sine = SURFMINK__FMA(u, SURFMINK__SET(7.725743030789876e-07), SURFMINK__SET(-2.1906201655131958e-05));
+    sine = SURFMINK__FMA(u, sine, SURFMINK__SET(0.00046630087411496363));
+    sine = SURFMINK__FMA(u, sine, SURFMINK__SET(-0.0073704307196345862));
+    sine = SURFMINK__FMA(u, sine, SURFMINK__SET(0.082145886596752316));
+    sine = SURFMINK__FMA(u, sine, SURFMINK__SET(-0.59926452932034302));
+    sine = SURFMINK__FMA(u, sine, SURFMINK__SET(2.5501640398773402));
+    sine = SURFMINK__FMA(u, sine, SURFMINK__SET(-5.1677127800499703));
     *re = SURFMINK__ODD(SURFMINK__FMA(u, cosine, SURFMINK__SET(1.0)), k);
     *im = SURFMINK__ODD(r * SURFMINK__FMA(u, sine, SURFMINK__SET(3.1415926535897931)), k);
 }
@@ -805,22 +822,22 @@ SURFMINK__INLINE surfmink__real SURFMINK__(arc_angle)(surfmink__real chord, surf
 /* --- 1. measure: corners -> lengths, turning angles --------------------------------------------------------------- */
 
 /* Sine and cosine, up to a common factor, of the turn from edge a to edge b in the plane orthogonal to n:
-   n . (a x b) and a . b - (a . n)(b . n) for unit n. a x b is a x (b - a) or b x (b - a), whichever edge is shorter: at
-   nearly straight corners it does not cancel. aa, bb, nn are the squares of the vectors, norm = |n|, bn = b . n. */
+   n . (a x b) and a . b - (a . n)(b . n) for unit n. The first is (b x n) . a, or (b x n) . (a - b) unless b is much
+   longer: at nearly straight corners that does not cancel. aa, bb, nn are the squares of the vectors, norm = |n|,
+   bn = b . n. */
 SURFMINK__INLINE void SURFMINK__(turn)(const surfmink__real a[3], surfmink__real aa, const surfmink__real b[3],
-                                              surfmink__real bb, const surfmink__real n[3], surfmink__real nn,
-                                              surfmink__real norm, surfmink__real bn, surfmink__real *sine,
-                                              surfmink__real *cosine)
+                                       surfmink__real bb, const surfmink__real n[3], surfmink__real nn,
+                                       surfmink__real norm, surfmink__real bn, surfmink__real *sine,
+                                       surfmink__real *cosine)
 {
-    surfmink__real d[3], shorter[3], cross[3];
-    surfmink__mask less = SURFMINK__LESS(aa, bb);
-    SURFMINK__(subtract)(b, a, d);
-    shorter[0] = SURFMINK__SELECT(less, a[0], b[0]);
-    shorter[1] = SURFMINK__SELECT(less, a[1], b[1]);
-    shorter[2] = SURFMINK__SELECT(less, a[2], b[2]);
-    SURFMINK__(cross)(shorter, d, cross);
-    *sine = norm * SURFMINK__(dot)(n, cross);
+    surfmink__real across[3], d[3], one;
     *cosine = SURFMINK__FNMA(SURFMINK__(dot)(a, n), bn, nn * SURFMINK__(dot)(a, b));
+    SURFMINK__(cross)(b, n, across);
+    one = SURFMINK__WHERE(SURFMINK__LESS(bb, SURFMINK__SET(4.0) * aa), SURFMINK__SET(1.0));
+    d[0] = SURFMINK__FNMA(one, b[0], a[0]);
+    d[1] = SURFMINK__FNMA(one, b[1], a[1]);
+    d[2] = SURFMINK__FNMA(one, b[2], a[2]);
+    *sine = norm * SURFMINK__(dot)(across, d);
 }
 
 /* 1 where neither edge of a turn is steep against the tangent plane, zero, or out of range: `size` is what the larger
@@ -836,33 +853,32 @@ SURFMINK__INLINE surfmink__real SURFMINK__(ordinary)(surfmink__real larger, surf
 /* Straight edges between points of a surface in space. */
 SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) *r, size_t rows, SURFMINK__(totals) *t)
 {
-    surfmink__real x[3], y[3], a[3], b[3], n[3], aa, bb, nn, bn, before, length, sine, cosine, larger, sum, good, most;
+    surfmink__real x[3], a[3], b[3], n[3], aa, bb, nn, before, length, sine, cosine, larger, sum, good, most;
     size_t lane, i;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
         sum = good = SURFMINK__SET(0.0);
         most = SURFMINK__LOAD(t->largest + lane);
-        SURFMINK__(load)(r->column[0] + lane, y);
-        SURFMINK__(load)(r->column[0] + lane + SURFMINK__LANES, x);
-        SURFMINK__(subtract)(x, y, a);
+        SURFMINK__(load)(r->column[0] + lane, x);
+        SURFMINK__(load)(r->column[0] + lane + SURFMINK__LANES, a);
+        SURFMINK__(subtract)(a, x, a);
         aa = SURFMINK__(dot)(a, a);
         before = SURFMINK__ROOT(aa);
         for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
-            SURFMINK__(load)(r->column[0] + i + 2 * SURFMINK__LANES, y);
-            SURFMINK__(load)(r->column[3] + i + SURFMINK__LANES, n);
-            SURFMINK__(subtract)(y, x, b);
+            SURFMINK__(load)(r->column[0] + i + SURFMINK__LANES, x);
+            SURFMINK__(load)(r->column[0] + i + 2 * SURFMINK__LANES, b);
+            SURFMINK__(subtract)(b, x, b);
             bb = SURFMINK__(dot)(b, b);
-            nn = SURFMINK__(dot)(n, n);
-            bn = SURFMINK__(dot)(b, n);
             length = SURFMINK__ROOT(bb);
-            SURFMINK__(turn)(a, aa, b, bb, n, nn, SURFMINK__ROOT(nn), bn, &sine, &cosine);
-            larger = SURFMINK__MAX(SURFMINK__ABS(sine), SURFMINK__ABS(cosine));
-            good = good + SURFMINK__(ordinary)(larger, nn * before * length);
-            most = SURFMINK__MAX(most, larger);
             sum = sum + length;
             SURFMINK__STORE(r->length + i, length);
+            SURFMINK__(load)(r->column[3] + i + SURFMINK__LANES, n);
+            nn = SURFMINK__(dot)(n, n);
+            SURFMINK__(turn)(a, aa, b, bb, n, nn, SURFMINK__ROOT(nn), SURFMINK__(dot)(b, n), &sine, &cosine);
             SURFMINK__STORE(r->turned + i, sine);
             SURFMINK__STORE(r->cosine + i, cosine);
-            x[0] = y[0], x[1] = y[1], x[2] = y[2];
+            larger = SURFMINK__MAX(SURFMINK__ABS(sine), SURFMINK__ABS(cosine));
+            most = SURFMINK__MAX(most, larger);
+            good = good + SURFMINK__(ordinary)(larger, nn * before * length);
             a[0] = b[0], a[1] = b[1], a[2] = b[2];
             aa = bb;
             before = length;
@@ -1075,11 +1091,11 @@ SURFMINK__KERNEL void SURFMINK__(raise)(double *w_re, double *w_im, const double
     }
 }
 
-/* Sums w = l z^p over the rows for three ranks on end, p, p + 1 and p + 2; w is left at rank p + 3. Three are what 16
-   registers hold.
-   sum  6 lanes  out: real and imaginary parts, rank by rank */
-SURFMINK__KERNEL void SURFMINK__(power_sums)(double *w_re, double *w_im, const double *z_re, const double *z_im, size_t rows,
-                                   double *sum)
+/* Sums w = l z^p over the rows for three ranks on end, which is what 16 registers hold; w is left at the rank after them
+   if there are more to come.
+   g  6 lanes  out: real and imaginary parts, rank by rank */
+SURFMINK__INLINE void SURFMINK__(three_ranks)(double *w_re, double *w_im, const double *z_re, const double *z_im,
+                                              size_t rows, int more, double *g)
 {
     surfmink__real re, im, x, y, g_re[3], g_im[3];
     size_t lane, i;
@@ -1098,72 +1114,117 @@ SURFMINK__KERNEL void SURFMINK__(power_sums)(double *w_re, double *w_im, const d
             SURFMINK__(multiply)(&re, &im, x, y);
             g_re[2] = g_re[2] + re;
             g_im[2] = g_im[2] + im;
+            if (!more) continue;
             SURFMINK__(multiply)(&re, &im, x, y);
             SURFMINK__STORE(w_re + i, re);
             SURFMINK__STORE(w_im + i, im);
         }
-        SURFMINK__STORE(sum + lane, g_re[0]);
-        SURFMINK__STORE(sum + lane + SURFMINK__LANES, g_im[0]);
-        SURFMINK__STORE(sum + lane + 2 * SURFMINK__LANES, g_re[1]);
-        SURFMINK__STORE(sum + lane + 3 * SURFMINK__LANES, g_im[1]);
-        SURFMINK__STORE(sum + lane + 4 * SURFMINK__LANES, g_re[2]);
-        SURFMINK__STORE(sum + lane + 5 * SURFMINK__LANES, g_im[2]);
+        SURFMINK__STORE(g + lane, g_re[0]);
+        SURFMINK__STORE(g + lane + SURFMINK__LANES, g_im[0]);
+        SURFMINK__STORE(g + lane + 2 * SURFMINK__LANES, g_re[1]);
+        SURFMINK__STORE(g + lane + 3 * SURFMINK__LANES, g_im[1]);
+        SURFMINK__STORE(g + lane + 4 * SURFMINK__LANES, g_re[2]);
+        SURFMINK__STORE(g + lane + 5 * SURFMINK__LANES, g_im[2]);
     }
+}
+
+SURFMINK__KERNEL void SURFMINK__(power_sums)(double *w_re, double *w_im, const double *z_re, const double *z_im,
+                                             size_t rows, int more, double *g)
+{
+    if (more)
+        SURFMINK__(three_ranks)(w_re, w_im, z_re, z_im, rows, 1, g);
+    else
+        SURFMINK__(three_ranks)(w_re, w_im, z_re, z_im, rows, 0, g);
 }
 
 /* --- 4. spectrum: irreducible components -> eigenvalues, angles --------------------------------------------------- */
 
-/* mu_p = |g_p| / L and theta_p = arg(g_p) / p. */
-SURFMINK__KERNEL void SURFMINK__(spectrum)(const double *sum, const double *length, double p, double *mu, double *theta)
+/* mu_p = |g_p| / L, and theta_p = arg(g_p) / p. */
+SURFMINK__INLINE void SURFMINK__(rank)(const double *g, const double *length, double p, double *mu, double *theta)
 {
-    surfmink__real re, im, ratio;
-    size_t lane;
-    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
-        re = SURFMINK__LOAD(sum + lane);
-        im = SURFMINK__LOAD(sum + lane + SURFMINK__LANES);
-        ratio = SURFMINK__ROOT(SURFMINK__FMA(im, im, re * re)) / SURFMINK__LOAD(length + lane);
-        SURFMINK__STORE(mu + lane, SURFMINK__MIN(ratio, SURFMINK__SET(1.0))); /* rounding may take it above */
-        if (theta) SURFMINK__STORE(theta + lane, SURFMINK__(atan2)(im + SURFMINK__SET(0.0), re) / SURFMINK__SET(p));
+    surfmink__real re = SURFMINK__LOAD(g), im = SURFMINK__LOAD(g + SURFMINK__LANES);
+    surfmink__real ratio = SURFMINK__ROOT(SURFMINK__FMA(im, im, re * re)) / SURFMINK__LOAD(length);
+    SURFMINK__STORE(mu, SURFMINK__MIN(ratio, SURFMINK__SET(1.0))); /* rounding may take it above */
+    if (theta) SURFMINK__STORE(theta, SURFMINK__(atan2)(im + SURFMINK__SET(0.0), re) / SURFMINK__SET(p));
+}
+
+/* Three ranks from p on. */
+SURFMINK__KERNEL void SURFMINK__(spectrum)(SURFMINK__(ranks) *r, const double *length, double p, int with_theta)
+{
+    double *theta = with_theta ? r->theta : NULL;
+    size_t lane, k;
+    for (lane = 0; lane < SURFMINK__LANES && !with_theta; lane += SURFMINK__WIDTH) {
+        SURFMINK__(rank)(r->g + lane, length + lane, p, r->mu + lane, NULL);
+        SURFMINK__(rank)(r->g + lane + 2 * SURFMINK__LANES, length + lane, p, r->mu + lane + SURFMINK__LANES, NULL);
+        SURFMINK__(rank)(r->g + lane + 4 * SURFMINK__LANES, length + lane, p, r->mu + lane + 2 * SURFMINK__LANES, NULL);
     }
+    for (k = 0; k < 3 && with_theta; ++k)
+        for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH)
+            SURFMINK__(rank)(r->g + lane + 2 * k * SURFMINK__LANES, length + lane, p + (double)k,
+                             r->mu + lane + k * SURFMINK__LANES, theta + lane + k * SURFMINK__LANES);
 }
 
 /* --- batches: all four steps for a group of lanes ----------------------------------------------------------------- */
 
 /* Outlines of at most SURFMINK__ROWS corners, a lane each; or the strips of one that is longer. */
-typedef struct SURFMINK__(group) {
-    size_t outline[SURFMINK__LANES]; /* which one of the batch */
-    size_t start[SURFMINK__LANES];   /* the lane's first corner, counted within the outline */
-    size_t count[SURFMINK__LANES];   /* and how many there are */
-    size_t used;                     /* lanes that hold results of their own */
-    size_t rows;                     /* of the longest lane */
-    int strips;
-    double first[3][2 * SURFMINK__LANES];               /* strips: corners 0 and 1 of the outline, in columns */
-    double base[SURFMINK__LANES];          /* turns before the lane, without alpha_0 */
+typedef struct SURFMINK__ALIGNED SURFMINK__(group) {
+    double first[3][2 * SURFMINK__LANES];  /* strips: corners 0 and 1 of the outline, in columns */
+    double behind[SURFMINK__LANES];        /* turns between the middle of edge 0 and the lane */
+    double expected[SURFMINK__LANES];      /* good rows, if all are */
     surfmink__sum turned[SURFMINK__LANES]; /* strips: turns of the lane so far */
-    double corners[SURFMINK__LANES];       /* of the whole outline */
+    size_t outline[SURFMINK__LANES];       /* which one of the batch */
+    size_t base[SURFMINK__LANES];          /* its first corner */
+    size_t size[SURFMINK__LANES];          /* how many it has */
+    size_t start[SURFMINK__LANES];         /* the first corner of the lane */
+    size_t count[SURFMINK__LANES];         /* how many it has */
+    size_t used;                           /* lanes that hold results of their own */
+    size_t rows;                           /* of the longest lane */
+    int strips;
 } SURFMINK__(group);
 
-/* Spreads the corners of each lane over columns, from the one before `row` to the one behind the last of `rows`. Short
-   lanes are padded with the corner behind their last one: edges of length 0, which turn nowhere. */
-SURFMINK__INLINE void SURFMINK__(gather)(const surfmink__job *job, const SURFMINK__(group) *g, size_t row,
-                                                size_t rows, const double *from, size_t dim,
-                                                double (*column)[SURFMINK__COLUMN])
+/* Where the corners of a lane stand: the one before the rows at hand, the rows themselves, and what comes behind them. */
+typedef struct SURFMINK__(run) {
+    size_t before, at, count, behind;
+} SURFMINK__(run);
+
+/* One component of two neighbouring lanes (of the one lane). */
+SURFMINK__INLINE void SURFMINK__(put)(double a, double b, double *at)
 {
-    const double *corner, *at;
-    size_t lane, i, k, n, end;
-    for (lane = 0; lane < SURFMINK__LANES; ++lane) {
-        corner = from + dim * job->offset[g->outline[lane]];
-        n = job->offset[g->outline[lane] + 1] - job->offset[g->outline[lane]];
-        end = g->start[lane] + g->count[lane];
-        k = g->start[lane] + (row < g->count[lane] ? row : g->count[lane]);
-        at = corner + dim * (k > 0 ? k - 1 : n - 1);
-        for (i = lane; i < (rows + 2) * SURFMINK__LANES; i += SURFMINK__LANES) {
-            column[0][i] = at[0];
-            column[1][i] = at[1];
-            if (dim > 2) column[2][i] = at[2];
-            at = k < n ? corner + dim * k : corner;
-            k += k < end;
-        }
+#if SURFMINK__GANG == 2
+    surfmink__pair pair;
+    pair[0] = a;
+    pair[1] = b;
+    *(surfmink__pair *)(void *)at = pair;
+#else
+    *at = a;
+    (void)b;
+#endif
+}
+
+SURFMINK__INLINE void SURFMINK__(put_row)(const double *a, const double *b, size_t dim, double *row)
+{
+    SURFMINK__(put)(a[0], b[0], row);
+    SURFMINK__(put)(a[1], b[1], row + SURFMINK__COLUMN);
+    if (dim > 2) SURFMINK__(put)(a[2], b[2], row + 2 * SURFMINK__COLUMN);
+}
+
+/* Spreads corners (or normals) of all lanes over columns, two lanes at a time. For corners also the row before the first
+   and the one behind the last. Short lanes are padded with the corner behind their last one: edges of length 0, which
+   turn nowhere. */
+SURFMINK__INLINE void SURFMINK__(gather)(const double *from, size_t dim, const SURFMINK__(run) *run, size_t rows,
+                                         int ends, double *column)
+{
+    size_t lane, i, both;
+    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__GANG, run += SURFMINK__GANG, column += SURFMINK__GANG) {
+        const SURFMINK__(run) *next = run + SURFMINK__GANG - 1;
+        const double *a = from + dim * run->at, *b = from + dim * next->at;
+        const double *a_behind = from + dim * run->behind, *b_behind = from + dim * next->behind;
+        double *row = column + SURFMINK__LANES;
+        if (ends) SURFMINK__(put_row)(from + dim * run->before, from + dim * next->before, dim, column);
+        both = run->count < next->count ? run->count : next->count;
+        for (i = 0; i < both; ++i, a += dim, b += dim, row += SURFMINK__LANES) SURFMINK__(put_row)(a, b, dim, row);
+        for (; i < rows + (ends ? 1 : 0); ++i, a += dim, b += dim, row += SURFMINK__LANES)
+            SURFMINK__(put_row)(i < run->count ? a : a_behind, i < next->count ? b : b_behind, dim, row);
     }
 }
 
@@ -1172,17 +1233,26 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
                                 SURFMINK__(rows) *r, SURFMINK__(totals) *t)
 {
     const double *first = g->strips ? g->first[0] : r->column[0] + SURFMINK__LANES;
-    size_t stride = g->strips ? 2 * SURFMINK__LANES : SURFMINK__COLUMN;
+    size_t stride = g->strips ? 2 * SURFMINK__LANES : SURFMINK__COLUMN, lane, base, past;
+    SURFMINK__(run) run[SURFMINK__LANES];
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+        base = g->base[lane];
+        past = row < g->count[lane] ? row : g->count[lane];
+        run[lane].at = g->start[lane] + past;
+        run[lane].count = g->count[lane] - past < rows ? g->count[lane] - past : rows;
+        run[lane].behind = run[lane].at + run[lane].count < base + g->size[lane] ? run[lane].at + run[lane].count : base;
+        run[lane].before = (run[lane].at > base ? run[lane].at : base + g->size[lane]) - 1;
+    }
     if (job->kind == SURFMINK__PLANE) {
-        SURFMINK__(gather)(job, g, row, rows, job->corner, 2, r->column);
+        SURFMINK__(gather)(job->corner, 2, run, rows, 1, r->column[0]);
         SURFMINK__(edges_plane)(r, rows, first, stride, t);
         return;
     }
-    SURFMINK__(gather)(job, g, row, rows, job->corner, 3, r->column);
+    SURFMINK__(gather)(job->corner, 3, run, rows, 1, r->column[0]);
     if (job->kind == SURFMINK__SPHERE)
         SURFMINK__(edges_sphere)(r, rows, first, stride, t);
     else {
-        SURFMINK__(gather)(job, g, row, rows, job->normal, 3, r->column + 3);
+        SURFMINK__(gather)(job->normal, 3, run, rows, 0, r->column[3]);
         SURFMINK__(edges_embedded)(r, rows, t);
     }
     SURFMINK__(angles)(r, rows, t);
@@ -1202,7 +1272,7 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, const SURFMINK
         known = SURFMINK__SET(6.2831853071795865) - SURFMINK__LOAD(t->area + lane);
         if (job->kind == SURFMINK__PLANE) known = SURFMINK__SET(6.2831853071795865);
         if (job->kind == SURFMINK__EMBEDDED) known = turning;
-        fine = SURFMINK__LESS(SURFMINK__ABS(SURFMINK__LOAD(t->good + lane) - SURFMINK__LOAD(g->corners + lane)),
+        fine = SURFMINK__LESS(SURFMINK__ABS(SURFMINK__LOAD(t->good + lane) - SURFMINK__LOAD(g->expected + lane)),
                               SURFMINK__SET(0.5));
         fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-100), length) & SURFMINK__LESS(length, SURFMINK__SET(1e100));
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
@@ -1237,26 +1307,36 @@ SURFMINK__KERNEL void SURFMINK__(write)(const surfmink__job *job, const SURFMINK
     }
 }
 
+/* Three numbers of a lane, which stand a row apart. */
+SURFMINK__INLINE void SURFMINK__(take)(const double *from, double *to)
+{
+    to[0] = from[0];
+    to[1] = from[SURFMINK__LANES];
+    to[2] = from[2 * SURFMINK__LANES];
+}
+
 /* Three ranks from p on, as far as they are asked for. */
 SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SURFMINK__(group) *g,
-                                    const SURFMINK__(totals) *t, const double *sum, int p)
+                                              const SURFMINK__(totals) *t, SURFMINK__(ranks) *r, int p)
 {
     const surfmink_results *out = job->out;
-    double mu[3 * SURFMINK__LANES], theta[3 * SURFMINK__LANES];
     size_t lane, at, k, count = job->max_rank - p < 2 ? (size_t)(job->max_rank - p + 1) : 3;
-    for (k = 0; k < count; ++k)
-        SURFMINK__(spectrum)(sum + 2 * k * SURFMINK__LANES, t->length, p + (int)k, mu + k * SURFMINK__LANES,
-                             out->theta ? theta + k * SURFMINK__LANES : NULL);
+    if (out->mu || out->theta) SURFMINK__(spectrum)(r, t->length, p, out->theta != NULL);
+    for (k = 0; k < 6 * SURFMINK__LANES && job->kind == SURFMINK__SPHERE; ++k) r->g[k] *= job->radius;
     for (lane = 0; lane < g->used; ++lane) {
         if (!(t->good[lane] > 0)) continue;
         at = g->outline[lane] * ((size_t)job->max_rank + 1) + (size_t)p;
-        for (k = 0; k < count; ++k) {
-            if (out->mu) out->mu[at + k] = mu[k * SURFMINK__LANES + lane];
-            if (out->theta) out->theta[at + k] = theta[k * SURFMINK__LANES + lane];
+        if (count == 3) {
+            if (out->mu) SURFMINK__(take)(r->mu + lane, out->mu + at);
+            if (out->theta) SURFMINK__(take)(r->theta + lane, out->theta + at);
             if (!out->g) continue;
-            out->g[2 * (at + k)] = sum[2 * k * SURFMINK__LANES + lane] * job->radius;
-            out->g[2 * (at + k) + 1] = sum[(2 * k + 1) * SURFMINK__LANES + lane] * job->radius;
+            SURFMINK__(take)(r->g + lane, out->g + 2 * at);
+            SURFMINK__(take)(r->g + lane + 3 * SURFMINK__LANES, out->g + 2 * at + 3);
+            continue;
         }
+        for (k = 0; k < count && out->mu; ++k) out->mu[at + k] = r->mu[k * SURFMINK__LANES + lane];
+        for (k = 0; k < count && out->theta; ++k) out->theta[at + k] = r->theta[k * SURFMINK__LANES + lane];
+        for (k = 0; k < 2 * count && out->g; ++k) out->g[2 * at + k] = r->g[k * SURFMINK__LANES + lane];
     }
 }
 
@@ -1272,18 +1352,18 @@ SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) *t)
 SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMINK__(group) *g, SURFMINK__(rows) *r,
                                       SURFMINK__(totals) *t)
 {
-    double sum[6 * SURFMINK__LANES];
+    SURFMINK__(ranks) sum;
     size_t lane;
     int p;
     SURFMINK__(begin)(t);
     SURFMINK__(measure_rows)(job, g, 0, g->rows, r, t);
     SURFMINK__(judge)(job, g, t);
     SURFMINK__(write)(job, g, t);
-    for (lane = 0; lane < SURFMINK__LANES; ++lane) g->base[lane] = -r->turned[lane];
-    if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, g->base, t->turning);
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) g->behind[lane] = -r->turned[lane];
+    if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, g->behind, t->turning);
     for (p = 1; p <= job->max_rank; p += 3) {
-        SURFMINK__(power_sums)(r->length, r->turned, r->column[2], r->column[3], g->rows, sum);
-        SURFMINK__(write_ranks)(job, g, t, sum, p);
+        SURFMINK__(power_sums)(r->length, r->turned, r->column[2], r->column[3], g->rows, p + 3 <= job->max_rank, sum.g);
+        SURFMINK__(write_ranks)(job, g, t, &sum, p);
     }
 }
 
@@ -1310,7 +1390,7 @@ SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK_
     double *at;
     size_t lane, i, j;
     for (lane = 0; lane < SURFMINK__LANES; ++lane) {
-        at = job->scratch + 2 * (job->offset[g->outline[lane]] + g->start[lane] + row);
+        at = job->scratch + 2 * (g->start[lane] + row);
         for (j = 0; j < rows; ++j, at += 2) {
             i = j * SURFMINK__LANES + lane;
             if (row + j >= g->count[lane]) { /* padding */
@@ -1332,7 +1412,7 @@ SURFMINK__KERNEL void SURFMINK__(join)(const surfmink__job *job, SURFMINK__(grou
     surfmink__sum turning = {0, 0};
     size_t lane;
     for (lane = 0; lane < SURFMINK__LANES && job->kind != SURFMINK__PLANE; ++lane) {
-        g->base[lane] += surfmink__value(&turning);
+        g->behind[lane] += surfmink__value(&turning);
         surfmink__add(&turning, g->turned[lane].high);
         surfmink__add(&turning, g->turned[lane].low);
         t->turning[lane] = 0;
@@ -1358,9 +1438,11 @@ SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, SURFMINK__(group
     g->rows = (n + SURFMINK__LANES - 1) / SURFMINK__LANES;
     for (lane = 0; lane < SURFMINK__LANES; ++lane) {
         g->outline[lane] = outline;
-        g->start[lane] = lane * g->rows;
-        g->count[lane] = n - g->start[lane] < g->rows ? n - g->start[lane] : g->rows;
-        g->corners[lane] = (double)n;
+        g->base[lane] = job->offset[outline];
+        g->size[lane] = n;
+        g->start[lane] = g->base[lane] + lane * g->rows;
+        g->count[lane] = n - lane * g->rows < g->rows ? n - lane * g->rows : g->rows;
+        g->expected[lane] = (double)(ptrdiff_t)n;
         for (k = 0; k < 2 * dim; ++k) g->first[k % dim][k / dim * SURFMINK__LANES + lane] = corner[k];
     }
 }
@@ -1371,13 +1453,13 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
                                      SURFMINK__(totals) *t)
 {
     SURFMINK__(totals) again;
-    double part[6 * SURFMINK__LANES], sum[SURFMINK__TILES][6 * SURFMINK__LANES];
+    SURFMINK__(ranks) part, sum[SURFMINK__TILES];
     size_t row, rows, lane, k;
     int first, tile, tiles, kept = job->scratch && job->kind != SURFMINK__PLANE;
     for (row = 0; row < g->rows; row += SURFMINK__ROWS) {
         rows = g->rows - row < SURFMINK__ROWS ? g->rows - row : SURFMINK__ROWS;
         SURFMINK__(measure_strips)(job, g, row, rows, r, t);
-        for (lane = 0; lane < SURFMINK__LANES && row == 0; ++lane) g->base[lane] = -r->turned[0];
+        for (lane = 0; lane < SURFMINK__LANES && row == 0; ++lane) g->behind[lane] = -r->turned[0];
         if (kept) SURFMINK__(keep)(job, g, row, rows, r, 0);
     }
     SURFMINK__(join)(job, g, t);
@@ -1386,24 +1468,25 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
     for (lane = 1; lane < SURFMINK__LANES; ++lane) t->turning[lane] = t->turning[0];
     for (first = 1; first <= job->max_rank && t->good[0] > 0; first += 3 * SURFMINK__TILES) {
         tiles = job->max_rank - first < 3 * SURFMINK__TILES ? (job->max_rank - first) / 3 + 1 : SURFMINK__TILES;
-        for (k = 0; k < 6 * SURFMINK__LANES * SURFMINK__TILES; ++k) sum[k / (6 * SURFMINK__LANES)][k % (6 * SURFMINK__LANES)] = 0;
+        for (tile = 0; tile < tiles; ++tile)
+            for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile].g[k] = 0;
         for (row = 0; row < g->rows; row += SURFMINK__ROWS) {
             rows = g->rows - row < SURFMINK__ROWS ? g->rows - row : SURFMINK__ROWS;
             if (kept)
                 SURFMINK__(keep)(job, g, row, rows, r, 1);
             else
                 SURFMINK__(measure_strips)(job, g, row, rows, r, &again);
-            if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, rows, g->base, t->turning);
+            if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, rows, g->behind, t->turning);
             SURFMINK__(raise)(r->length, r->turned, r->column[2], r->column[3], rows, first - 1);
             for (tile = 0; tile < tiles; ++tile) {
-                SURFMINK__(power_sums)(r->length, r->turned, r->column[2], r->column[3], rows, part);
-                for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile][k] += part[k];
+                SURFMINK__(power_sums)(r->length, r->turned, r->column[2], r->column[3], rows, tile + 1 < tiles, part.g);
+                for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile].g[k] += part.g[k];
             }
         }
         for (tile = 0; tile < tiles; ++tile) {
             for (k = 0; k < 6 * SURFMINK__LANES; ++k)
-                if (k % SURFMINK__LANES) sum[tile][k / SURFMINK__LANES * SURFMINK__LANES] += sum[tile][k];
-            SURFMINK__(write_ranks)(job, g, t, sum[tile], first + 3 * tile);
+                if (k % SURFMINK__LANES) sum[tile].g[k - k % SURFMINK__LANES] += sum[tile].g[k];
+            SURFMINK__(write_ranks)(job, g, t, sum + tile, first + 3 * tile);
         }
     }
 }
@@ -1434,9 +1517,9 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
         for (lane = 0; lane < SURFMINK__LANES; ++lane) {
             i = order[at + (lane < g.used ? lane : 0)];
             g.outline[lane] = first + i;
-            g.start[lane] = 0;
-            g.count[lane] = offset[i + 1] - offset[i];
-            g.corners[lane] = (double)g.count[lane];
+            g.base[lane] = g.start[lane] = offset[i];
+            g.size[lane] = g.count[lane] = offset[i + 1] - offset[i];
+            g.expected[lane] = (double)(ptrdiff_t)g.count[lane];
         }
         g.rows = g.count[g.used - 1];
         SURFMINK__(measure_short)(job, &g, &r, &t);
@@ -1454,7 +1537,9 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
 
 #undef SURFMINK__
 #undef SURFMINK__LANES
+#undef SURFMINK__ALIGNED
 #undef SURFMINK__WIDTH
+#undef SURFMINK__GANG
 #undef SURFMINK__COLUMN
 #undef surfmink__real
 #undef surfmink__mask
@@ -2364,7 +2449,7 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
             surfmink__fill(c, start, size, &turned, &block);
             surfmink__raise(block.w_re, block.w_im, block.z_re, block.z_im, size, first - 1);
             for (p = 0; p < ranks; p += 3) {
-                surfmink__power_sums(block.w_re, block.w_im, block.z_re, block.z_im, size, part);
+                surfmink__power_sums(block.w_re, block.w_im, block.z_re, block.z_im, size, p + 3 < ranks, part);
                 for (k = 0; k < 6; ++k) surfmink__add(sum + 2 * p + k, part[k]);
             }
         }
