@@ -687,7 +687,8 @@ typedef struct SURFMINK__ALIGNED SURFMINK__(rows) {
 
 /* Sums over the rows of each lane. */
 typedef struct SURFMINK__ALIGNED SURFMINK__(totals) {
-    double length[SURFMINK__LANES], turning[SURFMINK__LANES], area[SURFMINK__LANES];
+    double length[SURFMINK__LANES], turning[SURFMINK__LANES], area[SURFMINK__LANES]; /* L, sum alpha_i, area */
+    double known[SURFMINK__LANES];    /* S, as well as it can be known */
     double turns[SURFMINK__LANES];    /* sum |alpha_i| */
     double sharpest[SURFMINK__LANES]; /* largest |alpha_i| */
     double largest[SURFMINK__LANES];  /* largest sine or cosine, whose common factor is that of the unit */
@@ -822,22 +823,22 @@ SURFMINK__INLINE surfmink__real SURFMINK__(arc_angle)(surfmink__real chord, surf
 /* --- 1. measure: corners -> lengths, turning angles --------------------------------------------------------------- */
 
 /* Sine and cosine, up to a common factor, of the turn from edge a to edge b in the plane orthogonal to n:
-   n . (a x b) and a . b - (a . n)(b . n) for unit n. The first is (b x n) . a, or (b x n) . (a - b) unless b is much
-   longer: at nearly straight corners that does not cancel. aa, bb, nn are the squares of the vectors, norm = |n|,
-   bn = b . n. */
+   n . (a x b) and a . b - (a . n)(b . n) for unit n. a x b is a x (b - a) or b x (b - a), whichever edge is shorter: at
+   nearly straight corners that does not cancel. aa, bb, nn are the squares of the vectors, norm = |n|, bn = b . n. */
 SURFMINK__INLINE void SURFMINK__(turn)(const surfmink__real a[3], surfmink__real aa, const surfmink__real b[3],
                                        surfmink__real bb, const surfmink__real n[3], surfmink__real nn,
                                        surfmink__real norm, surfmink__real bn, surfmink__real *sine,
                                        surfmink__real *cosine)
 {
-    surfmink__real across[3], d[3], one;
+    surfmink__real shorter[3], d[3], cross[3];
+    surfmink__mask less = SURFMINK__LESS(aa, bb);
     *cosine = SURFMINK__FNMA(SURFMINK__(dot)(a, n), bn, nn * SURFMINK__(dot)(a, b));
-    SURFMINK__(cross)(b, n, across);
-    one = SURFMINK__WHERE(SURFMINK__LESS(bb, SURFMINK__SET(4.0) * aa), SURFMINK__SET(1.0));
-    d[0] = SURFMINK__FNMA(one, b[0], a[0]);
-    d[1] = SURFMINK__FNMA(one, b[1], a[1]);
-    d[2] = SURFMINK__FNMA(one, b[2], a[2]);
-    *sine = norm * SURFMINK__(dot)(across, d);
+    SURFMINK__(subtract)(b, a, d);
+    shorter[0] = SURFMINK__SELECT(less, a[0], b[0]);
+    shorter[1] = SURFMINK__SELECT(less, a[1], b[1]);
+    shorter[2] = SURFMINK__SELECT(less, a[2], b[2]);
+    SURFMINK__(cross)(shorter, d, cross);
+    *sine = norm * SURFMINK__(dot)(n, cross);
 }
 
 /* 1 where neither edge of a turn is steep against the tangent plane, zero, or out of range: `size` is what the larger
@@ -1259,8 +1260,8 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
 }
 
 /* Which lanes are ordinary, so that these results stand: t->good becomes 1 or 0. The rest is left to the calls that look
-   at each corner. S is set to what the surface says it is: 2 pi in the plane, 2 pi - area on the sphere, which keeps
-   more digits than the sum of the turns. */
+   at each corner. S is what the surface says it is: 2 pi in the plane, 2 pi - area on the sphere, which has more digits
+   than a sum of rounded turns. Phases go by the sum, for that closes. */
 SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, const SURFMINK__(group) *g, SURFMINK__(totals) *t)
 {
     surfmink__real length, turning, known;
@@ -1281,7 +1282,8 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, const SURFMINK
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
         if (job->kind == SURFMINK__SPHERE)
             fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), SURFMINK__LOAD(t->area + lane));
-        SURFMINK__STORE(t->turning + lane, SURFMINK__SELECT(fine, known, SURFMINK__SET(1.0)));
+        SURFMINK__STORE(t->turning + lane, SURFMINK__SELECT(fine, turning, SURFMINK__SET(1.0)));
+        SURFMINK__STORE(t->known + lane, known);
         SURFMINK__STORE(t->good + lane, SURFMINK__WHERE(fine, SURFMINK__SET(1.0)));
     }
 }
@@ -1296,7 +1298,7 @@ SURFMINK__KERNEL void SURFMINK__(write)(const surfmink__job *job, const SURFMINK
         i = g->outline[lane];
         if (out->status) out->status[i] = SURFMINK_OK;
         if (out->length) out->length[i] = t->length[lane] * job->radius;
-        if (out->turning) out->turning[i] = t->turning[lane];
+        if (out->turning) out->turning[i] = t->known[lane];
         if (out->area) out->area[i] = t->area[lane] * job->radius * job->radius;
         if (out->mu) out->mu[i * ranks] = 1;
         if (out->theta) out->theta[i * ranks] = 0;
@@ -2148,12 +2150,13 @@ static int surfmink__fan_within(const surfmink__outline *o, double reach, double
     return 0;
 }
 
-/* What a fan says of the solid angle: nothing; its value, but for large ones 2 pi - S is better; or the best there
-   is. */
-enum surfmink__fan_quality { SURFMINK__NO_FAN, SURFMINK__FAIR_FAN, SURFMINK__GOOD_FAN };
+/* What a fan says of the solid angle: nothing; its value, but for large ones 2 pi - S is better; the best there is;
+   more than the sum of the turns does. */
+enum surfmink__fan_quality { SURFMINK__NO_FAN, SURFMINK__FAIR_FAN, SURFMINK__GOOD_FAN, SURFMINK__FINE_FAN };
 
 static enum surfmink__fan_quality surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
 {
+    if (surfmink__fan_within(o, 1, solid_angle)) return SURFMINK__FINE_FAN;       /* 60 degrees, edges below 120 */
     if (surfmink__fan_within(o, 3, solid_angle)) return SURFMINK__GOOD_FAN;       /* a third of a great circle */
     if (!surfmink__fan_within(o, 4 - 1e-4, solid_angle)) return SURFMINK__NO_FAN; /* 0.01 short of the half */
     return surfmink__abs(*solid_angle) < 1 ? SURFMINK__GOOD_FAN : SURFMINK__FAIR_FAN;
@@ -2213,22 +2216,22 @@ static int surfmink__judge_sphere(const surfmink__outline *o, double turned, sur
         if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
         solid_angle += (1 - k) * surfmink__two_pi;
         if (solid_angle < -1 || solid_angle > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
-        if (fan == SURFMINK__GOOD_FAN) {
-            w->curvature = solid_angle;
-            w->turning = surfmink__two_pi - solid_angle; /* has more digits than a sum of rounded turns */
-        }
+        if (fan >= SURFMINK__GOOD_FAN) w->curvature = solid_angle;
+        if (fan == SURFMINK__FINE_FAN) w->turning = surfmink__two_pi - solid_angle;
     }
     status = surfmink__check_turning(w->turning, turned, o->n);
     w->area = w->curvature * o->radius * o->radius;
     return status;
 }
 
-/* The Minkowski functionals of an outline that has passed surfmink__check, or what is wrong with it as a whole. */
-static int surfmink__functionals(const surfmink__outline *o, surfmink_functionals *w)
+/* The Minkowski functionals of an outline that has passed surfmink__check, or what is wrong with it as a whole. S is what
+   the surface says it is; the plain sum of the turns is for the phases, which close with it. */
+static int surfmink__functionals(const surfmink__outline *o, surfmink_functionals *w, double *sum)
 {
     double turned;
     int status;
     surfmink__sums(o, &w->length, &w->turning, &turned);
+    *sum = w->turning;
     if (!surfmink__finite(&w->length, 1)) return SURFMINK_NOT_FINITE;
     if (!(w->length > 0)) return SURFMINK_BAD_ARGUMENT;
     w->area = 0;
@@ -2240,7 +2243,7 @@ static int surfmink__functionals(const surfmink__outline *o, surfmink_functional
     else
         status = surfmink__check_turning(w->turning, turned, o->n);
     if (status != SURFMINK_OK) return status;
-    w->condition = turned / w->turning;
+    w->condition = turned > w->turning ? turned / w->turning : 1; /* rounding may take it below */
     return surfmink__finite(&w->area, 1) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
 }
 
@@ -2248,8 +2251,9 @@ SURFMINK_DEF int surfmink_total(const double *length, const double *turning, siz
 {
     surfmink__outline o = surfmink__outline_measured(length, turning, n);
     surfmink_functionals total = {0, 0, 0, 0, 0};
+    double sum;
     int status = surfmink__check(&o, NULL);
-    if (status == SURFMINK_OK) status = surfmink__functionals(&o, &total);
+    if (status == SURFMINK_OK) status = surfmink__functionals(&o, &total, &sum);
     if (status == SURFMINK_OK) *w = total;
     return status;
 }
@@ -2274,7 +2278,7 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
     if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
     status = surfmink__check(&o, NULL);
     if (status != SURFMINK_OK) return status;
-    if (surfmink__solid_angle(&o, &solid_angle) != SURFMINK__GOOD_FAN) {
+    if (surfmink__solid_angle(&o, &solid_angle) < SURFMINK__GOOD_FAN) {
         surfmink__sums(&o, &length, &turning, &turned);
         solid_angle = surfmink__two_pi - turning;
     }
@@ -2706,11 +2710,12 @@ static int surfmink__measure(const surfmink__outline *o, int max_rank, double *m
 {
     surfmink_functionals total;
     surfmink__curve c;
+    double sum;
     int status;
     if (max_rank < 0) return surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
     if ((status = surfmink__check(o, bad)) != SURFMINK_OK) return status;
-    if ((status = surfmink__functionals(o, &total)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
-    c = surfmink__curve_of(o, total.length, surfmink__two_pi / total.turning);
+    if ((status = surfmink__functionals(o, &total, &sum)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
+    c = surfmink__curve_of(o, total.length, surfmink__two_pi / sum);
     if (mu || g) surfmink__integrate(&c, max_rank, mu, g);
     if (w) *w = total;
     return SURFMINK_OK;
