@@ -200,7 +200,7 @@ SURFMINK_DEF int surfmink_measure_surface(const surfmink_surface *surface, const
    cost nothing. */
 typedef struct surfmink_results {
     int *status;     /* of enum surfmink_status */
-    size_t *bad;     /* only of refused outlines: the corner to blame, counted from the outline's first, or n */
+    size_t *bad;     /* only of refused outlines: the corner to blame, counted within the outline, or n */
     double *length;  /* L */
     double *turning; /* S */
     double *area;    /* W_0, plane and sphere; 0 of an embedded surface */
@@ -564,13 +564,13 @@ static double surfmink__value(const surfmink__sum *sum)
 
 /* A batch, as surfmink_batch_* are asked for it. */
 typedef struct surfmink__job {
-    enum surfmink__kind kind;
     const double *corner, *normal; /* embedded only: normal */
     const size_t *offset;
-    double radius; /* 1 unless it is a sphere */
-    int max_rank;
     const surfmink_results *out;
     double *scratch;
+    double radius; /* 1 unless it is a sphere */
+    enum surfmink__kind kind;
+    int max_rank;
 } surfmink__job;
 
 #ifdef __cplusplus
@@ -590,8 +590,8 @@ typedef struct surfmink__job {
 #ifdef SURFMINK__INSTANCE
 
 #if SURFMINK__INSTANCE == SURFMINK__PLAIN
-#define SURFMINK__(name)          surfmink__##name
-#define SURFMINK__LANES           1
+#define SURFMINK__(name) surfmink__##name
+#define SURFMINK__LANES  1
 #define SURFMINK__ALIGNED
 #define SURFMINK__WIDTH           1
 #define SURFMINK__GANG            1
@@ -614,7 +614,7 @@ typedef struct surfmink__job {
 #define SURFMINK__ALIGNED         __attribute__((aligned(64)))
 #define surfmink__real            SURFMINK__(real)
 #define surfmink__mask            SURFMINK__(mask)
-#define SURFMINK__SET(x)          ((x) - SURFMINK__(zero))
+#define SURFMINK__SET(x)          ((x)-SURFMINK__(zero))
 #define SURFMINK__LOAD(at)        (*(const SURFMINK__(loaded) *)(const void *)(at))
 #define SURFMINK__STORE(at, x)    (*(SURFMINK__(loaded) *)(void *)(at) = (x))
 #define SURFMINK__SIGN            ((surfmink__mask)SURFMINK__SET(-0.0))
@@ -623,44 +623,44 @@ typedef struct surfmink__job {
 #define SURFMINK__SELECT(m, a, b) ((surfmink__real)(((m) & (surfmink__mask)(a)) | (~(m) & (surfmink__mask)(b))))
 #define SURFMINK__WHERE(m, a)     ((surfmink__real)((m) & (surfmink__mask)(a)))
 /* -a where the mask is set; where s < 0; where k, an integer plus 1.5 * 2^52, is odd */
-#define SURFMINK__NEGATE(m, a)    ((surfmink__real)(((m) & SURFMINK__SIGN) ^ (surfmink__mask)(a)))
+#define SURFMINK__NEGATE(m, a)    ((surfmink__real)(((m)&SURFMINK__SIGN) ^ (surfmink__mask)(a)))
 #define SURFMINK__SIGNED(a, s)    SURFMINK__NEGATE((surfmink__mask)(s), a)
 #define SURFMINK__ODD(a, k)       SURFMINK__NEGATE((surfmink__mask)(k) << 63, a)
 #endif
 #if SURFMINK__INSTANCE == SURFMINK__SSE2
-#define SURFMINK__(name)      surfmink__##name##_sse2
-#define SURFMINK__WIDTH       2
-#define SURFMINK__MIN(a, b)   _mm_min_pd(a, b)
-#define SURFMINK__MAX(a, b)   _mm_max_pd(a, b)
-#define SURFMINK__ROOT(a)     _mm_sqrt_pd(a)
-#define SURFMINK__BARRIER(a)  __asm__("" : "+x"(a))
+#define SURFMINK__(name)     surfmink__##name##_sse2
+#define SURFMINK__WIDTH      2
+#define SURFMINK__MIN(a, b)  _mm_min_pd(a, b)
+#define SURFMINK__MAX(a, b)  _mm_max_pd(a, b)
+#define SURFMINK__ROOT(a)    _mm_sqrt_pd(a)
+#define SURFMINK__BARRIER(a) __asm__("" : "+x"(a))
 #elif SURFMINK__INSTANCE == SURFMINK__AVX2
-#define SURFMINK__(name)         surfmink__##name##_avx2
-#define SURFMINK__WIDTH          4
-#define SURFMINK__MIN(a, b)      _mm256_min_pd(a, b)
-#define SURFMINK__MAX(a, b)      _mm256_max_pd(a, b)
-#define SURFMINK__ROOT(a)        _mm256_sqrt_pd(a)
-#define SURFMINK__FMA(a, b, c)   _mm256_fmadd_pd(a, b, c)
-#define SURFMINK__FNMA(a, b, c)  _mm256_fnmadd_pd(a, b, c)
-#define SURFMINK__BARRIER(a)     __asm__("" : "+x"(a))
+#define SURFMINK__(name)        surfmink__##name##_avx2
+#define SURFMINK__WIDTH         4
+#define SURFMINK__MIN(a, b)     _mm256_min_pd(a, b)
+#define SURFMINK__MAX(a, b)     _mm256_max_pd(a, b)
+#define SURFMINK__ROOT(a)       _mm256_sqrt_pd(a)
+#define SURFMINK__FMA(a, b, c)  _mm256_fmadd_pd(a, b, c)
+#define SURFMINK__FNMA(a, b, c) _mm256_fnmadd_pd(a, b, c)
+#define SURFMINK__BARRIER(a)    __asm__("" : "+x"(a))
 #elif SURFMINK__INSTANCE == SURFMINK__AVX512
-#define SURFMINK__(name)         surfmink__##name##_avx512
-#define SURFMINK__WIDTH          8
-#define SURFMINK__MIN(a, b)      _mm512_min_pd(a, b)
-#define SURFMINK__MAX(a, b)      _mm512_max_pd(a, b)
-#define SURFMINK__ROOT(a)        _mm512_sqrt_pd(a)
-#define SURFMINK__FMA(a, b, c)   _mm512_fmadd_pd(a, b, c)
-#define SURFMINK__FNMA(a, b, c)  _mm512_fnmadd_pd(a, b, c)
-#define SURFMINK__BARRIER(a)     __asm__("" : "+v"(a))
+#define SURFMINK__(name)        surfmink__##name##_avx512
+#define SURFMINK__WIDTH         8
+#define SURFMINK__MIN(a, b)     _mm512_min_pd(a, b)
+#define SURFMINK__MAX(a, b)     _mm512_max_pd(a, b)
+#define SURFMINK__ROOT(a)       _mm512_sqrt_pd(a)
+#define SURFMINK__FMA(a, b, c)  _mm512_fmadd_pd(a, b, c)
+#define SURFMINK__FNMA(a, b, c) _mm512_fnmadd_pd(a, b, c)
+#define SURFMINK__BARRIER(a)    __asm__("" : "+v"(a))
 #elif SURFMINK__INSTANCE == SURFMINK__NEON
-#define SURFMINK__(name)         surfmink__##name##_neon
-#define SURFMINK__WIDTH          2
-#define SURFMINK__MIN(a, b)      ((surfmink__real)vminq_f64((float64x2_t)(a), (float64x2_t)(b)))
-#define SURFMINK__MAX(a, b)      ((surfmink__real)vmaxq_f64((float64x2_t)(a), (float64x2_t)(b)))
-#define SURFMINK__ROOT(a)        ((surfmink__real)vsqrtq_f64((float64x2_t)(a)))
-#define SURFMINK__FMA(a, b, c)   ((surfmink__real)vfmaq_f64((float64x2_t)(c), (float64x2_t)(a), (float64x2_t)(b)))
-#define SURFMINK__FNMA(a, b, c)  ((surfmink__real)vfmsq_f64((float64x2_t)(c), (float64x2_t)(a), (float64x2_t)(b)))
-#define SURFMINK__BARRIER(a)     __asm__("" : "+w"(a))
+#define SURFMINK__(name)        surfmink__##name##_neon
+#define SURFMINK__WIDTH         2
+#define SURFMINK__MIN(a, b)     ((surfmink__real)vminq_f64((float64x2_t)(a), (float64x2_t)(b)))
+#define SURFMINK__MAX(a, b)     ((surfmink__real)vmaxq_f64((float64x2_t)(a), (float64x2_t)(b)))
+#define SURFMINK__ROOT(a)       ((surfmink__real)vsqrtq_f64((float64x2_t)(a)))
+#define SURFMINK__FMA(a, b, c)  ((surfmink__real)vfmaq_f64((float64x2_t)(c), (float64x2_t)(a), (float64x2_t)(b)))
+#define SURFMINK__FNMA(a, b, c) ((surfmink__real)vfmsq_f64((float64x2_t)(c), (float64x2_t)(a), (float64x2_t)(b)))
+#define SURFMINK__BARRIER(a)    __asm__("" : "+w"(a))
 #endif
 #ifndef SURFMINK__FMA /* a b + c and c - a b */
 #define SURFMINK__FMA(a, b, c)  ((a) * (b) + (c))
@@ -683,16 +683,19 @@ typedef struct SURFMINK__ALIGNED SURFMINK__(rows) {
     double length[SURFMINK__ROWS * SURFMINK__LANES]; /* l_i */
     double turned[SURFMINK__ROWS * SURFMINK__LANES]; /* the sine of alpha_i, then alpha_0 + ... + alpha_i */
     double cosine[SURFMINK__ROWS * SURFMINK__LANES];
+    double first[3][2 * SURFMINK__LANES]; /* strips: corners 0 and 1 of the outline, in columns */
 } SURFMINK__(rows);
 
 /* Sums over the rows of each lane. */
 typedef struct SURFMINK__ALIGNED SURFMINK__(totals) {
     double length[SURFMINK__LANES], turning[SURFMINK__LANES], area[SURFMINK__LANES]; /* L, sum alpha_i, area */
-    double known[SURFMINK__LANES];    /* S, as well as it can be known */
-    double turns[SURFMINK__LANES];    /* sum |alpha_i| */
-    double sharpest[SURFMINK__LANES]; /* largest |alpha_i| */
+    double known[SURFMINK__LANES];                                                   /* S, as well as it can be known */
+    double turns[SURFMINK__LANES];                                                   /* sum |alpha_i| */
+    double sharpest[SURFMINK__LANES];                                                /* largest |alpha_i| */
     double largest[SURFMINK__LANES];  /* largest sine or cosine, whose common factor is that of the unit */
     double good[SURFMINK__LANES];     /* rows that are ordinary: padding is none */
+    double expected[SURFMINK__LANES]; /* good rows, if all are */
+    double behind[SURFMINK__LANES];   /* turns between the middle of edge 0 and the lane */
 } SURFMINK__(totals);
 
 /* Three ranks of each lane, a row each (g_p: two). */
@@ -707,8 +710,7 @@ SURFMINK__INLINE surfmink__real SURFMINK__(dot)(const surfmink__real a[3], const
     return SURFMINK__FMA(a[2], b[2], SURFMINK__FMA(a[1], b[1], a[0] * b[0]));
 }
 
-SURFMINK__INLINE void SURFMINK__(cross)(const surfmink__real a[3], const surfmink__real b[3],
-                                               surfmink__real c[3])
+SURFMINK__INLINE void SURFMINK__(cross)(const surfmink__real a[3], const surfmink__real b[3], surfmink__real c[3])
 {
     c[0] = SURFMINK__FNMA(a[2], b[1], a[1] * b[2]);
     c[1] = SURFMINK__FNMA(a[0], b[2], a[2] * b[0]);
@@ -724,7 +726,7 @@ SURFMINK__INLINE void SURFMINK__(load)(const double *at, surfmink__real v[3])
 }
 
 SURFMINK__INLINE void SURFMINK__(subtract)(const surfmink__real a[3], const surfmink__real b[3],
-                                                  surfmink__real difference[3])
+                                           surfmink__real difference[3])
 {
     difference[0] = a[0] - b[0];
     difference[1] = a[1] - b[1];
@@ -754,9 +756,9 @@ SURFMINK__KERNEL double surfmink__arc_angle(double chord, double square)
 #else
 /* a + b u + ..., even and odd powers apart: two chains of half the length. Coefficients here and below interpolate at
    Chebyshev's points; tests/accuracy/kernels.c computes and checks them. */
-#define SURFMINK__2(a, b)          SURFMINK__FMA(u, SURFMINK__SET(b), SURFMINK__SET(a))
-#define SURFMINK__3(a, b, c)       SURFMINK__FMA(uu, SURFMINK__SET(c), SURFMINK__2(a, b))
-#define SURFMINK__UP(rest, a, b)   SURFMINK__FMA(uu, rest, SURFMINK__2(a, b))
+#define SURFMINK__2(a, b)        SURFMINK__FMA(u, SURFMINK__SET(b), SURFMINK__SET(a))
+#define SURFMINK__3(a, b, c)     SURFMINK__FMA(uu, SURFMINK__SET(c), SURFMINK__2(a, b))
+#define SURFMINK__UP(rest, a, b) SURFMINK__FMA(uu, rest, SURFMINK__2(a, b))
 
 /* Angle of (x, y) in [-pi, pi], 0 of (0, 0): a ratio within tan(pi / 8) of 0, then the octant. */
 SURFMINK__INLINE surfmink__real SURFMINK__(atan2)(surfmink__real y, surfmink__real x)
@@ -852,7 +854,7 @@ SURFMINK__INLINE surfmink__real SURFMINK__(ordinary)(surfmink__real larger, surf
 #define SURFMINK__ADD_TO(total, x) SURFMINK__STORE(total + lane, SURFMINK__LOAD(total + lane) + (x))
 
 /* Straight edges between points of a surface in space. */
-SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) *r, size_t rows, SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) * r, size_t rows, SURFMINK__(totals) * t)
 {
     surfmink__real x[3], a[3], b[3], n[3], aa, bb, nn, before, length, sine, cosine, larger, sum, good, most;
     size_t lane, i;
@@ -880,7 +882,9 @@ SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) *r, size_t row
             larger = SURFMINK__MAX(SURFMINK__ABS(sine), SURFMINK__ABS(cosine));
             most = SURFMINK__MAX(most, larger);
             good = good + SURFMINK__(ordinary)(larger, nn * before * length);
-            a[0] = b[0], a[1] = b[1], a[2] = b[2];
+            a[0] = b[0];
+            a[1] = b[1];
+            a[2] = b[2];
             aa = bb;
             before = length;
         }
@@ -894,8 +898,8 @@ SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) *r, size_t row
    tangent plane is that of the chord; its length needs the chord within the sphere, whose square is
    (|y - x|^2 - (|y| - |x|)^2) / |x||y|. A fan of triangles (p, x, y) from the first corner has the solid angle 2 arg of
    the product of 1 + i p.(x x y) / (|p||x||y| + |y| p.x + |p| x.y + |x| y.p). */
-SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) *r, size_t rows, const double *first, size_t stride,
-                                    SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) * r, size_t rows, const double *first, size_t stride,
+                                               SURFMINK__(totals) * t)
 {
     surfmink__real p[3], x[3], y[3], a[3], b[3], c[3], aa, bb, bn, xx, yy, p_norm, x_norm, y_norm, px, py, norms;
     surfmink__real sine, cosine, square, length, rise, around, sum, good, re, im, part, below;
@@ -947,9 +951,16 @@ SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) *r, size_t rows,
             SURFMINK__STORE(r->length + i, length);
             SURFMINK__STORE(r->turned + i, sine);
             SURFMINK__STORE(r->cosine + i, cosine);
-            x[0] = y[0], x[1] = y[1], x[2] = y[2];
-            a[0] = b[0], a[1] = b[1], a[2] = b[2];
-            aa = bb, xx = yy, px = py, x_norm = y_norm;
+            x[0] = y[0];
+            x[1] = y[1];
+            x[2] = y[2];
+            a[0] = b[0];
+            a[1] = b[1];
+            a[2] = b[2];
+            aa = bb;
+            xx = yy;
+            px = py;
+            x_norm = y_norm;
         }
         SURFMINK__ADD_TO(t->length, sum);
         SURFMINK__ADD_TO(t->good, good);
@@ -959,8 +970,8 @@ SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) *r, size_t rows,
 
 /* The plane needs no angles: z_i = exp(i f_i) is the direction of edge i against that of edge 0, and S is 2 pi times the
    number of times that the direction of the edges passes the x axis, to the left less to the right. */
-SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, const double *first, size_t stride,
-                                   SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) * r, size_t rows, const double *first, size_t stride,
+                                              SURFMINK__(totals) * t)
 {
     surfmink__real p[2], u[2], x[2], y[2], a[2], b[2], d[2], length, inverse, cross, along, re, im;
     surfmink__real sum, good, area, turns, zero = SURFMINK__SET(0.0), one = SURFMINK__SET(1.0);
@@ -1007,8 +1018,10 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
             SURFMINK__STORE(r->turned + i, im);
             SURFMINK__STORE(r->column[2] + i, re * inverse);
             SURFMINK__STORE(r->column[3] + i, im * inverse);
-            x[0] = y[0], x[1] = y[1];
-            a[0] = b[0], a[1] = b[1];
+            x[0] = y[0];
+            x[1] = y[1];
+            a[0] = b[0];
+            a[1] = b[1];
             a_below = b_below;
         }
         SURFMINK__ADD_TO(t->length, sum);
@@ -1021,7 +1034,7 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
 /* --- 2. transport: turning angles -> phases ----------------------------------------------------------------------- */
 
 /* turned_i = alpha_0 + ... + alpha_i of the rows at hand, whose sum is the last of them. */
-SURFMINK__KERNEL void SURFMINK__(angles)(SURFMINK__(rows) *r, size_t rows, SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(angles)(SURFMINK__(rows) * r, size_t rows, SURFMINK__(totals) * t)
 {
     surfmink__real angle, size, turned, turns, sharpest;
     size_t lane, i;
@@ -1043,7 +1056,7 @@ SURFMINK__KERNEL void SURFMINK__(angles)(SURFMINK__(rows) *r, size_t rows, SURFM
 }
 
 /* z_i = exp(i f_i) with f_i = 2 pi (base + turned_i) / S, and l_i z_i. */
-SURFMINK__KERNEL void SURFMINK__(phases)(SURFMINK__(rows) *r, size_t rows, const double *base, const double *turning)
+SURFMINK__KERNEL void SURFMINK__(phases)(SURFMINK__(rows) * r, size_t rows, const double *base, const double *turning)
 {
     surfmink__real start, inverse, length, re, im;
     size_t lane, i;
@@ -1065,7 +1078,7 @@ SURFMINK__KERNEL void SURFMINK__(phases)(SURFMINK__(rows) *r, size_t rows, const
 
 /* w becomes w z. */
 SURFMINK__INLINE void SURFMINK__(multiply)(surfmink__real *re, surfmink__real *im, surfmink__real z_re,
-                                                  surfmink__real z_im)
+                                           surfmink__real z_im)
 {
     surfmink__real t = SURFMINK__FNMA(*im, z_im, *re * z_re);
     *im = SURFMINK__FMA(*im, z_re, *re * z_im);
@@ -1073,7 +1086,8 @@ SURFMINK__INLINE void SURFMINK__(multiply)(surfmink__real *re, surfmink__real *i
 }
 
 /* w becomes w z^p, by repeated squaring. */
-SURFMINK__KERNEL void SURFMINK__(raise)(double *w_re, double *w_im, const double *z_re, const double *z_im, size_t rows, int p)
+SURFMINK__KERNEL void SURFMINK__(raise)(double *w_re, double *w_im, const double *z_re, const double *z_im, size_t rows,
+                                        int p)
 {
     surfmink__real re, im, x, y;
     size_t i;
@@ -1150,7 +1164,7 @@ SURFMINK__INLINE void SURFMINK__(rank)(const double *g, const double *length, do
 }
 
 /* Three ranks from p on. */
-SURFMINK__KERNEL void SURFMINK__(spectrum)(SURFMINK__(ranks) *r, const double *length, double p, int with_theta)
+SURFMINK__KERNEL void SURFMINK__(spectrum)(SURFMINK__(ranks) * r, const double *length, double p, int with_theta)
 {
     double *theta = with_theta ? r->theta : NULL;
     size_t lane, k;
@@ -1161,17 +1175,15 @@ SURFMINK__KERNEL void SURFMINK__(spectrum)(SURFMINK__(ranks) *r, const double *l
     }
     for (k = 0; k < 3 && with_theta; ++k)
         for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH)
-            SURFMINK__(rank)(r->g + lane + 2 * k * SURFMINK__LANES, length + lane, p + (double)k,
-                             r->mu + lane + k * SURFMINK__LANES, theta + lane + k * SURFMINK__LANES);
+            SURFMINK__(rank)
+            (r->g + lane + 2 * k * SURFMINK__LANES, length + lane, p + (double)k, r->mu + lane + k * SURFMINK__LANES,
+             theta + lane + k * SURFMINK__LANES);
 }
 
 /* --- batches: all four steps for a group of lanes ----------------------------------------------------------------- */
 
 /* Outlines of at most SURFMINK__ROWS corners, a lane each; or the strips of one that is longer. */
-typedef struct SURFMINK__ALIGNED SURFMINK__(group) {
-    double first[3][2 * SURFMINK__LANES];  /* strips: corners 0 and 1 of the outline, in columns */
-    double behind[SURFMINK__LANES];        /* turns between the middle of edge 0 and the lane */
-    double expected[SURFMINK__LANES];      /* good rows, if all are */
+typedef struct SURFMINK__(group) {
     surfmink__sum turned[SURFMINK__LANES]; /* strips: turns of the lane so far */
     size_t outline[SURFMINK__LANES];       /* which one of the batch */
     size_t base[SURFMINK__LANES];          /* its first corner */
@@ -1180,7 +1192,7 @@ typedef struct SURFMINK__ALIGNED SURFMINK__(group) {
     size_t count[SURFMINK__LANES];         /* how many it has */
     size_t used;                           /* lanes that hold results of their own */
     size_t rows;                           /* of the longest lane */
-    int strips;
+    size_t strips;                         /* one outline or several? */
 } SURFMINK__(group);
 
 /* Where the corners of a lane stand: the one before the rows at hand, the rows themselves, and what comes behind them. */
@@ -1212,7 +1224,7 @@ SURFMINK__INLINE void SURFMINK__(put_row)(const double *a, const double *b, size
 /* Spreads corners (or normals) of all lanes over columns, two lanes at a time. For corners also the row before the first
    and the one behind the last. Short lanes are padded with the corner behind their last one: edges of length 0, which
    turn nowhere. */
-SURFMINK__INLINE void SURFMINK__(gather)(const double *from, size_t dim, const SURFMINK__(run) *run, size_t rows,
+SURFMINK__INLINE void SURFMINK__(gather)(const double *from, size_t dim, const SURFMINK__(run) * run, size_t rows,
                                          int ends, double *column)
 {
     size_t lane, i, both;
@@ -1230,10 +1242,10 @@ SURFMINK__INLINE void SURFMINK__(gather)(const double *from, size_t dim, const S
 }
 
 /* Step 1, and the angles of step 2. */
-SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const SURFMINK__(group) *g, size_t row, size_t rows,
-                                SURFMINK__(rows) *r, SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const SURFMINK__(group) * g, size_t row,
+                                               size_t rows, SURFMINK__(rows) * r, SURFMINK__(totals) * t)
 {
-    const double *first = g->strips ? g->first[0] : r->column[0] + SURFMINK__LANES;
+    const double *first = g->strips ? r->first[0] : r->column[0] + SURFMINK__LANES;
     size_t stride = g->strips ? 2 * SURFMINK__LANES : SURFMINK__COLUMN, lane, base, past;
     SURFMINK__(run) run[SURFMINK__LANES];
     for (lane = 0; lane < SURFMINK__LANES; ++lane) {
@@ -1241,7 +1253,8 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
         past = row < g->count[lane] ? row : g->count[lane];
         run[lane].at = g->start[lane] + past;
         run[lane].count = g->count[lane] - past < rows ? g->count[lane] - past : rows;
-        run[lane].behind = run[lane].at + run[lane].count < base + g->size[lane] ? run[lane].at + run[lane].count : base;
+        run[lane].behind =
+            run[lane].at + run[lane].count < base + g->size[lane] ? run[lane].at + run[lane].count : base;
         run[lane].before = (run[lane].at > base ? run[lane].at : base + g->size[lane]) - 1;
     }
     if (job->kind == SURFMINK__PLANE) {
@@ -1262,7 +1275,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
 /* Which lanes are ordinary, so that these results stand: t->good becomes 1 or 0. The rest is left to the calls that look
    at each corner. S is what the surface says it is: 2 pi in the plane, 2 pi - area on the sphere, which has more digits
    than a sum of rounded turns. Phases go by the sum, for that closes. */
-SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, const SURFMINK__(group) *g, SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(totals) * t)
 {
     surfmink__real length, turning, known;
     surfmink__mask fine;
@@ -1273,7 +1286,7 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, const SURFMINK
         known = SURFMINK__SET(6.2831853071795865) - SURFMINK__LOAD(t->area + lane);
         if (job->kind == SURFMINK__PLANE) known = SURFMINK__SET(6.2831853071795865);
         if (job->kind == SURFMINK__EMBEDDED) known = turning;
-        fine = SURFMINK__LESS(SURFMINK__ABS(SURFMINK__LOAD(t->good + lane) - SURFMINK__LOAD(g->expected + lane)),
+        fine = SURFMINK__LESS(SURFMINK__ABS(SURFMINK__LOAD(t->good + lane) - SURFMINK__LOAD(t->expected + lane)),
                               SURFMINK__SET(0.5));
         fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-100), length) & SURFMINK__LESS(length, SURFMINK__SET(1e100));
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
@@ -1289,7 +1302,8 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, const SURFMINK
 }
 
 /* What is known before any rank is. */
-SURFMINK__KERNEL void SURFMINK__(write)(const surfmink__job *job, const SURFMINK__(group) *g, const SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(write)(const surfmink__job *job, const SURFMINK__(group) * g,
+                                        const SURFMINK__(totals) * t)
 {
     const surfmink_results *out = job->out;
     size_t lane, i, ranks = (size_t)job->max_rank + 1;
@@ -1318,8 +1332,8 @@ SURFMINK__INLINE void SURFMINK__(take)(const double *from, double *to)
 }
 
 /* Three ranks from p on, as far as they are asked for. */
-SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SURFMINK__(group) *g,
-                                              const SURFMINK__(totals) *t, SURFMINK__(ranks) *r, int p)
+SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SURFMINK__(group) * g,
+                                              const SURFMINK__(totals) * t, SURFMINK__(ranks) * r, int p)
 {
     const surfmink_results *out = job->out;
     size_t lane, at, k, count = job->max_rank - p < 2 ? (size_t)(job->max_rank - p + 1) : 3;
@@ -1342,7 +1356,7 @@ SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SU
     }
 }
 
-SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) * t)
 {
     size_t lane;
     for (lane = 0; lane < SURFMINK__LANES; ++lane)
@@ -1351,27 +1365,28 @@ SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) *t)
 }
 
 /* Outlines that fit into the rows whole. */
-SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMINK__(group) *g, SURFMINK__(rows) *r,
-                                      SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMINK__(group) * g, SURFMINK__(rows) * r,
+                                                SURFMINK__(totals) * t)
 {
     SURFMINK__(ranks) sum;
     size_t lane;
     int p;
     SURFMINK__(begin)(t);
     SURFMINK__(measure_rows)(job, g, 0, g->rows, r, t);
-    SURFMINK__(judge)(job, g, t);
+    SURFMINK__(judge)(job, t);
     SURFMINK__(write)(job, g, t);
-    for (lane = 0; lane < SURFMINK__LANES; ++lane) g->behind[lane] = -r->turned[lane];
-    if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, g->behind, t->turning);
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) t->behind[lane] = -r->turned[lane];
+    if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, t->behind, t->turning);
     for (p = 1; p <= job->max_rank; p += 3) {
-        SURFMINK__(power_sums)(r->length, r->turned, r->column[2], r->column[3], g->rows, p + 3 <= job->max_rank, sum.g);
+        SURFMINK__(power_sums)
+        (r->length, r->turned, r->column[2], r->column[3], g->rows, p + 3 <= job->max_rank, sum.g);
         SURFMINK__(write_ranks)(job, g, t, &sum, p);
     }
 }
 
 /* Rows of the strips of a long outline, from the first on in order: turned_i is counted from where the strip starts. */
-SURFMINK__KERNEL void SURFMINK__(measure_strips)(const surfmink__job *job, SURFMINK__(group) *g, size_t row, size_t rows,
-                                       SURFMINK__(rows) *r, SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(measure_strips)(const surfmink__job *job, SURFMINK__(group) * g, size_t row,
+                                                 size_t rows, SURFMINK__(rows) * r, SURFMINK__(totals) * t)
 {
     double before;
     size_t lane, i;
@@ -1386,8 +1401,8 @@ SURFMINK__KERNEL void SURFMINK__(measure_strips)(const surfmink__job *job, SURFM
 }
 
 /* Lengths and turns into the caller's scratch, or back again. */
-SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK__(group) *g, size_t row, size_t rows,
-                             SURFMINK__(rows) *r, int back)
+SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK__(group) * g, size_t row, size_t rows,
+                                       SURFMINK__(rows) * r, int back)
 {
     double *at;
     size_t lane, i, j;
@@ -1409,12 +1424,12 @@ SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK_
 }
 
 /* The strips of a long outline put together: each lane of the totals says the same afterwards. */
-SURFMINK__KERNEL void SURFMINK__(join)(const surfmink__job *job, SURFMINK__(group) *g, SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(join)(const surfmink__job *job, SURFMINK__(group) * g, SURFMINK__(totals) * t)
 {
     surfmink__sum turning = {0, 0};
     size_t lane;
     for (lane = 0; lane < SURFMINK__LANES && job->kind != SURFMINK__PLANE; ++lane) {
-        g->behind[lane] += surfmink__value(&turning);
+        t->behind[lane] += surfmink__value(&turning);
         surfmink__add(&turning, g->turned[lane].high);
         surfmink__add(&turning, g->turned[lane].low);
         t->turning[lane] = 0;
@@ -1432,7 +1447,8 @@ SURFMINK__KERNEL void SURFMINK__(join)(const surfmink__job *job, SURFMINK__(grou
 }
 
 /* Cuts an outline of n corners into strips of like length. */
-SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, SURFMINK__(group) *g, size_t outline, size_t n)
+SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, size_t outline, size_t n, SURFMINK__(group) * g,
+                                      SURFMINK__(rows) * r, SURFMINK__(totals) * t)
 {
     size_t dim = job->kind == SURFMINK__PLANE ? 2 : 3, lane, k;
     const double *corner = job->corner + dim * job->offset[outline];
@@ -1444,15 +1460,15 @@ SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, SURFMINK__(group
         g->size[lane] = n;
         g->start[lane] = g->base[lane] + lane * g->rows;
         g->count[lane] = n - lane * g->rows < g->rows ? n - lane * g->rows : g->rows;
-        g->expected[lane] = (double)(ptrdiff_t)n;
-        for (k = 0; k < 2 * dim; ++k) g->first[k % dim][k / dim * SURFMINK__LANES + lane] = corner[k];
+        t->expected[lane] = (double)(ptrdiff_t)n;
+        for (k = 0; k < 2 * dim; ++k) r->first[k % dim][k / dim * SURFMINK__LANES + lane] = corner[k];
     }
 }
 
 /* Outlines with more corners than there are rows, in strips: once over them for S, which every phase needs, and once for
    each 24 ranks. */
-SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMINK__(group) *g, SURFMINK__(rows) *r,
-                                     SURFMINK__(totals) *t)
+SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMINK__(group) * g, SURFMINK__(rows) * r,
+                                               SURFMINK__(totals) * t)
 {
     SURFMINK__(totals) again;
     SURFMINK__(ranks) part, sum[SURFMINK__TILES];
@@ -1461,11 +1477,11 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
     for (row = 0; row < g->rows; row += SURFMINK__ROWS) {
         rows = g->rows - row < SURFMINK__ROWS ? g->rows - row : SURFMINK__ROWS;
         SURFMINK__(measure_strips)(job, g, row, rows, r, t);
-        for (lane = 0; lane < SURFMINK__LANES && row == 0; ++lane) g->behind[lane] = -r->turned[0];
+        for (lane = 0; lane < SURFMINK__LANES && row == 0; ++lane) t->behind[lane] = -r->turned[0];
         if (kept) SURFMINK__(keep)(job, g, row, rows, r, 0);
     }
     SURFMINK__(join)(job, g, t);
-    SURFMINK__(judge)(job, g, t);
+    SURFMINK__(judge)(job, t);
     SURFMINK__(write)(job, g, t);
     for (lane = 1; lane < SURFMINK__LANES; ++lane) t->turning[lane] = t->turning[0];
     for (first = 1; first <= job->max_rank && t->good[0] > 0; first += 3 * SURFMINK__TILES) {
@@ -1478,10 +1494,11 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
                 SURFMINK__(keep)(job, g, row, rows, r, 1);
             else
                 SURFMINK__(measure_strips)(job, g, row, rows, r, &again);
-            if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, rows, g->behind, t->turning);
+            if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, rows, t->behind, t->turning);
             SURFMINK__(raise)(r->length, r->turned, r->column[2], r->column[3], rows, first - 1);
             for (tile = 0; tile < tiles; ++tile) {
-                SURFMINK__(power_sums)(r->length, r->turned, r->column[2], r->column[3], rows, tile + 1 < tiles, part.g);
+                SURFMINK__(power_sums)
+                (r->length, r->turned, r->column[2], r->column[3], rows, tile + 1 < tiles, part.g);
                 for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile].g[k] += part.g[k];
             }
         }
@@ -1495,8 +1512,8 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
 
 /* Outlines first .. first + count - 1 of a batch, at most SURFMINK__WINDOW. Those that fit are sorted by their number of
    corners, so that the lanes of a group are of like length.
-   careful  count  out: 1 where nothing was written because the outline is not ordinary */
-SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first, size_t count, unsigned char *careful)
+   left  count  out: 1 where nothing was written because the outline is not ordinary */
+SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first, size_t count, unsigned char *left)
 {
     SURFMINK__(rows) r;
     SURFMINK__(totals) t;
@@ -1505,13 +1522,13 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
     size_t place[SURFMINK__ROWS + 2] = {0}, order[SURFMINK__WINDOW], i, n, lane, at;
     for (i = 0; i < count; ++i) {
         n = offset[i + 1] - offset[i];
-        careful[i] = offset[i + 1] < offset[i] || n < 3;
-        if (!careful[i] && n <= SURFMINK__ROWS) ++place[n + 1];
+        left[i] = offset[i + 1] < offset[i] || n < 3;
+        if (!left[i] && n <= SURFMINK__ROWS) ++place[n + 1];
     }
     for (n = 1; n < SURFMINK__ROWS + 2; ++n) place[n] += place[n - 1];
     for (i = 0; i < count; ++i) {
         n = offset[i + 1] - offset[i];
-        if (!careful[i] && n <= SURFMINK__ROWS) order[place[n]++] = i;
+        if (!left[i] && n <= SURFMINK__ROWS) order[place[n]++] = i;
     }
     g.strips = 0;
     for (at = 0; at < place[SURFMINK__ROWS]; at += SURFMINK__LANES) {
@@ -1521,19 +1538,19 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
             g.outline[lane] = first + i;
             g.base[lane] = g.start[lane] = offset[i];
             g.size[lane] = g.count[lane] = offset[i + 1] - offset[i];
-            g.expected[lane] = (double)(ptrdiff_t)g.count[lane];
+            t.expected[lane] = (double)(ptrdiff_t)g.count[lane];
         }
         g.rows = g.count[g.used - 1];
         SURFMINK__(measure_short)(job, &g, &r, &t);
-        for (lane = 0; lane < g.used; ++lane) careful[g.outline[lane] - first] = !(t.good[lane] > 0);
+        for (lane = 0; lane < g.used; ++lane) left[g.outline[lane] - first] = !(t.good[lane] > 0);
     }
     g.strips = 1;
     for (i = 0; i < count; ++i) {
         n = offset[i + 1] - offset[i];
-        if (careful[i] || n <= SURFMINK__ROWS) continue;
-        SURFMINK__(cut)(job, &g, first + i, n);
+        if (left[i] || n <= SURFMINK__ROWS) continue;
+        SURFMINK__(cut)(job, first + i, n, &g, &r, &t);
         SURFMINK__(measure_long)(job, &g, &r, &t);
-        careful[i] = !(t.good[0] > 0);
+        left[i] = !(t.good[0] > 0);
     }
 }
 
@@ -2416,6 +2433,12 @@ static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count,
     }
 }
 
+/* arg g_p in (-pi, pi]: adding 0 makes +0 of -0, or a negative real g_p might come out at -pi. */
+static double surfmink__argument(double re, double im)
+{
+    return SURFMINK_ATAN2(im + 0.0, re);
+}
+
 static double surfmink__modulus(double re, double im)
 {
     double v[2];
@@ -2431,8 +2454,9 @@ static double surfmink__ratio(double re, double im, double length)
     return mu > 1 ? 1 : mu;
 }
 
-/* g_p = sum l_i exp(i p f_i) and mu_p = |g_p| / L for p = 1..P, 24 ranks at a time; g_0 = L is known. */
-static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *mu, double *g)
+/* g_p = sum l_i exp(i p f_i), mu_p = |g_p| / L and theta_p = arg(g_p) / p for p = 1..P, 24 ranks at a time; g_0 = L is
+   known. */
+static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *mu, double *g, double *theta)
 {
     surfmink__block block;
     surfmink__sum sum[6 * SURFMINK__TILES], turned;
@@ -2444,6 +2468,7 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
         g[1] = 0;
     }
     if (mu) mu[0] = 1;
+    if (theta) theta[0] = 0;
     for (first = 1; first <= max_rank; first += ranks) {
         ranks = max_rank - first < 3 * SURFMINK__TILES ? max_rank - first + 1 : 3 * SURFMINK__TILES;
         turned.high = turned.low = 0;
@@ -2465,6 +2490,7 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
                 g[2 * (first + p) + 1] = im / c->unit;
             }
             if (mu) mu[first + p] = surfmink__ratio(re, im, c->length * c->unit);
+            if (theta) theta[first + p] = surfmink__argument(re, im) / (first + p);
         }
     }
 }
@@ -2501,7 +2527,7 @@ SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase,
     if (status != SURFMINK_OK) return status;
     c = surfmink__curve_of(&o, total, 1);
     c.phase = phase;
-    surfmink__integrate(&c, max_rank, NULL, g);
+    surfmink__integrate(&c, max_rank, NULL, g, NULL);
     return SURFMINK_OK;
 }
 
@@ -2517,7 +2543,7 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
     c = surfmink__curve_of(&o, total, 1);
     c.first = edge;
     c.fraction = fraction;
-    surfmink__integrate(&c, max_rank, NULL, g);
+    surfmink__integrate(&c, max_rank, NULL, g, NULL);
     return SURFMINK_OK;
 }
 
@@ -2597,12 +2623,6 @@ SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vec
 
 /* --- 4. spectrum -------------------------------------------------------------------------------------------------- */
 
-/* arg g_p in (-pi, pi]: adding 0 makes +0 of -0, or a negative real g_p might come out at -pi. */
-static double surfmink__argument(const double *g, int p)
-{
-    return SURFMINK_ATAN2(g[2 * p + 1] + 0.0, g[2 * p]);
-}
-
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
 {
     double largest;
@@ -2617,7 +2637,7 @@ SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda
     for (p = 0; p <= max_rank; ++p) {
         if (lambda) lambda[p] = surfmink__modulus(g[2 * p], g[2 * p + 1]);
         if (mu) mu[p] = surfmink__ratio(g[2 * p], g[2 * p + 1], g[0]);
-        if (theta) theta[p] = p > 0 ? surfmink__argument(g, p) / p : 0;
+        if (theta) theta[p] = p > 0 ? surfmink__argument(g[2 * p], g[2 * p + 1]) / p : 0;
     }
     return SURFMINK_OK;
 }
@@ -2625,7 +2645,7 @@ SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda
 static double surfmink__theta(const double *g, int p, int sign, int n)
 {
     double half_turns = sign >= 0 ? 2.0 * n : 2.0 * n + 1;
-    return (surfmink__argument(g, p) + half_turns * surfmink__pi) / p;
+    return (surfmink__argument(g[2 * p], g[2 * p + 1]) + half_turns * surfmink__pi) / p;
 }
 
 SURFMINK_DEF int surfmink_angles(const double *g, int p, int sign, double *theta)
@@ -2705,8 +2725,8 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
 
 /* Twice over the corners: once for S, which every phase needs, once for the components. Nothing is written before
    the second. */
-static int surfmink__measure(const surfmink__outline *o, int max_rank, double *mu, double *g, surfmink_functionals *w,
-                             size_t *bad)
+static int surfmink__measure(const surfmink__outline *o, int max_rank, double *mu, double *g, double *theta,
+                             surfmink_functionals *w, size_t *bad)
 {
     surfmink_functionals total;
     surfmink__curve c;
@@ -2716,7 +2736,7 @@ static int surfmink__measure(const surfmink__outline *o, int max_rank, double *m
     if ((status = surfmink__check(o, bad)) != SURFMINK_OK) return status;
     if ((status = surfmink__functionals(o, &total, &sum)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
     c = surfmink__curve_of(o, total.length, surfmink__two_pi / sum);
-    if (mu || g) surfmink__integrate(&c, max_rank, mu, g);
+    if (mu || g || theta) surfmink__integrate(&c, max_rank, mu, g, theta);
     if (w) *w = total;
     return SURFMINK_OK;
 }
@@ -2725,7 +2745,7 @@ SURFMINK_DEF int surfmink_measure_plane(const double *corner, size_t n, int max_
                                         surfmink_functionals *w, size_t *bad)
 {
     surfmink__outline o = surfmink__outline_of(SURFMINK__PLANE, corner, NULL, n);
-    return surfmink__measure(&o, max_rank, mu, g, w, bad);
+    return surfmink__measure(&o, max_rank, mu, g, NULL, w, bad);
 }
 
 SURFMINK_DEF int surfmink_measure_sphere(const double *corner, size_t n, double radius, int max_rank, double *mu,
@@ -2733,14 +2753,14 @@ SURFMINK_DEF int surfmink_measure_sphere(const double *corner, size_t n, double 
 {
     surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
     if (!surfmink__positive(radius)) return surfmink__blame(SURFMINK_BAD_ARGUMENT, n, bad);
-    return surfmink__measure(&o, max_rank, mu, g, w, bad);
+    return surfmink__measure(&o, max_rank, mu, g, NULL, w, bad);
 }
 
 SURFMINK_DEF int surfmink_measure_embedded(const double *corner, const double *normal, size_t n, int max_rank,
                                            double *mu, double *g, surfmink_functionals *w, size_t *bad)
 {
     surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
-    return surfmink__measure(&o, max_rank, mu, g, w, bad);
+    return surfmink__measure(&o, max_rank, mu, g, NULL, w, bad);
 }
 
 SURFMINK_DEF int surfmink_measure_surface(const surfmink_surface *surface, const double *corner, size_t n,
@@ -2749,29 +2769,37 @@ SURFMINK_DEF int surfmink_measure_surface(const surfmink_surface *surface, const
 {
     surfmink__outline o = surfmink__outline_measured(scratch, scratch + n, n);
     int status = surfmink_edges_surface(surface, corner, n, scratch, scratch, scratch + n, bad);
-    return status == SURFMINK_OK ? surfmink__measure(&o, max_rank, mu, g, w, bad) : status;
+    return status == SURFMINK_OK ? surfmink__measure(&o, max_rank, mu, g, NULL, w, bad) : status;
 }
 
 /* --- batches ------------------------------------------------------------------------------------------------------ */
 
-typedef void surfmink__measure_window(const surfmink__job *job, size_t first, size_t count, unsigned char *careful);
+typedef void surfmink__measure_window(const surfmink__job *job, size_t first, size_t count, unsigned char *left);
 
-/* One outline, by the call that looks at each corner. Returns whether it is refused. */
-static int surfmink__careful(const surfmink__job *job, size_t i)
+static int surfmink__known_job(const surfmink__job *job)
+{
+    return job->max_rank >= 0 && surfmink__positive(job->radius);
+}
+
+/* One outline, corner by corner. Returns whether it is refused. */
+static int surfmink__carefully(const surfmink__job *job, size_t i)
 {
     const surfmink_results *out = job->out;
-    size_t at = job->offset[i], n = job->offset[i + 1] - at, ranks = (size_t)job->max_rank + 1, bad = 0;
-    double *mu = out->mu ? out->mu + i * ranks : NULL, *g = out->g ? out->g + 2 * i * ranks : NULL;
+    const size_t at = job->offset[i], end = job->offset[i + 1], rank = i * ((size_t)job->max_rank + 1);
+    surfmink__outline o;
     surfmink_functionals w;
-    int status;
-    if (job->offset[i + 1] < at)
-        status = surfmink__blame(SURFMINK_BAD_ARGUMENT, 0, &bad);
-    else if (job->kind == SURFMINK__PLANE)
-        status = surfmink_measure_plane(job->corner + 2 * at, n, job->max_rank, mu, g, &w, &bad);
-    else if (job->kind == SURFMINK__SPHERE)
-        status = surfmink_measure_sphere(job->corner + 3 * at, n, job->radius, job->max_rank, mu, g, &w, &bad);
-    else
-        status = surfmink_measure_embedded(job->corner + 3 * at, job->normal + 3 * at, n, job->max_rank, mu, g, &w, &bad);
+    size_t bad = 0;
+    int status = SURFMINK_BAD_ARGUMENT;
+    if (end >= at && surfmink__known_job(job)) {
+        if (job->kind == SURFMINK__PLANE)
+            o = surfmink__outline_of(SURFMINK__PLANE, job->corner + 2 * at, NULL, end - at);
+        else if (job->kind == SURFMINK__SPHERE)
+            o = surfmink__outline_sphere(job->corner + 3 * at, end - at, job->radius);
+        else
+            o = surfmink__outline_of(SURFMINK__EMBEDDED, job->corner + 3 * at, job->normal + 3 * at, end - at);
+        status = surfmink__measure(&o, job->max_rank, out->mu ? out->mu + rank : NULL,
+                                   out->g ? out->g + 2 * rank : NULL, out->theta ? out->theta + rank : NULL, &w, &bad);
+    }
     if (out->status) out->status[i] = status;
     if (status != SURFMINK_OK) {
         if (out->bad) out->bad[i] = bad;
@@ -2786,18 +2814,19 @@ static int surfmink__careful(const surfmink__job *job, size_t i)
 static size_t surfmink__batch(const surfmink__job *job, size_t count, surfmink__measure_window *measure)
 {
     const ptrdiff_t windows = (ptrdiff_t)((count + SURFMINK__WINDOW - 1) / SURFMINK__WINDOW);
+    const int known = surfmink__known_job(job);
     size_t refused = 0;
     ptrdiff_t k;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 4) reduction(+ : refused)
 #endif
     for (k = 0; k < windows; ++k) {
-        unsigned char careful[SURFMINK__WINDOW];
+        unsigned char left[SURFMINK__WINDOW];
         size_t first = (size_t)k * SURFMINK__WINDOW, i;
         size_t size = count - first < SURFMINK__WINDOW ? count - first : SURFMINK__WINDOW;
-        measure(job, first, size, careful);
+        if (known) measure(job, first, size, left);
         for (i = 0; i < size; ++i)
-            if (careful[i]) refused += (size_t)surfmink__careful(job, first + i);
+            if (!known || left[i]) refused += (size_t)surfmink__carefully(job, first + i);
     }
     return refused;
 }
