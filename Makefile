@@ -6,7 +6,7 @@
 #   make test       all tests; needs cc and make, nothing else
 #   make check      compilers, dialects, warnings, sanitizers; needs what .ci/run installs
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
-#   make bench      ns a corner, beside other ways to the same numbers; gcc, clang; 20 minutes, BENCH=--quick: 6
+#   make bench      ns a corner, beside other ways to the same numbers; gcc, clang; 25 minutes, BENCH=--quick: 7
 #   make bench-count  instructions a corner of the same ways; needs gcc, valgrind and x86-64
 #   make fuzz       every public function and reader under clang's libFuzzer; SECONDS=60 for each
 #   make coverage   lines and branches of surfmink.h that no test takes; needs gcc, gcov, python3

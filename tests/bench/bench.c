@@ -38,8 +38,10 @@
 #define BENCH_FLAGS "flags unknown (-DBENCH_FLAGS)"
 #endif
 
+#define TEXT(number)    TEXT_OF(number)
+#define TEXT_OF(number) #number
 #if defined(__clang__)
-#define COMPILER "clang " __clang_version__
+#define COMPILER "clang " TEXT(__clang_major__) "." TEXT(__clang_minor__) "." TEXT(__clang_patchlevel__)
 #elif defined(__GNUC__)
 #define COMPILER "gcc " __VERSION__
 #else
