@@ -6,6 +6,8 @@
 #   make test       all tests; needs cc and make, nothing else
 #   make check      compilers, dialects, warnings, sanitizers; needs what .ci/run installs
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
+#   make bench      ns a corner, beside other ways to the same numbers; gcc, clang; 25 minutes, BENCH=--quick: 7
+#   make bench-count  instructions a corner of the same ways; needs gcc, valgrind and x86-64
 #   make fuzz       every public function and reader under clang's libFuzzer; SECONDS=60 for each
 #   make coverage   lines and branches of surfmink.h that no test takes; needs gcc, gcov, python3
 #   make mutants    do the tests notice a broken surfmink.h? hours; needs python3; MUTANTS=--sample=200
@@ -30,6 +32,7 @@ harnesses = $(notdir $(basename $(wildcard tests/fuzz/*.c)))
 POLYGONS = 1000000
 SECONDS = 60
 MUTANTS =
+BENCH =
 FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow \
        -fno-sanitize-recover=all
 
@@ -65,6 +68,23 @@ accuracy:
 	gcc -O2 -I. tests/accuracy/accuracy.c -o $(BUILD)/accuracy -lquadmath -lm
 	$(BUILD)/accuracy --polygons $(POLYGONS)
 
+bench:
+	@mkdir -p $(BUILD)
+	@for cc in gcc clang; do \
+	  command -v $$cc > /dev/null || continue; \
+	  openmp=' -fopenmp'; \
+	  echo '#include <omp.h>' | $$cc -fopenmp -shared -x c - -o $(BUILD)/bench 2> /dev/null || openmp=; \
+	  for flags in '-O2' '-O2 -DSURFMINK_DISPATCH' '-O3 -march=native'; do \
+	    $$cc -std=c99 $$flags$$openmp -DBENCH_FLAGS="\"$$flags$$openmp\"" -I. tests/bench/bench.c \
+	      -o $(BUILD)/bench -lm && \
+	    KMP_BLOCKTIME=1 GOMP_SPINCOUNT=10000 $(BUILD)/bench $(BENCH) || exit 1; done; done
+
+bench-count:
+	@mkdir -p $(BUILD)
+	@gcc -std=c99 -O2 -I. tests/bench/bench.c -o $(BUILD)/bench_x86-64 -lm
+	@gcc -std=c99 -O2 -march=haswell -I. tests/bench/bench.c -o $(BUILD)/bench_haswell -lm
+	@sh tests/bench/count.sh $(BUILD)/bench_x86-64 $(BUILD)/bench_haswell
+
 fuzz:
 	@mkdir -p $(BUILD)/fuzz
 	@for harness in $(harnesses); do \
@@ -96,4 +116,4 @@ install: $(BUILD)/surfmink $(BUILD)/levelset
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper test check accuracy fuzz coverage mutants install clean
+.PHONY: all demo paper test check accuracy bench bench-count fuzz coverage mutants install clean
