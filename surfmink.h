@@ -562,13 +562,44 @@ static double surfmink__value(const surfmink__sum *sum)
     return sum->high + sum->low;
 }
 
-/* A batch, as surfmink_batch_* are asked for it. */
+/* The power of two that brings a magnitude m > 0 into [2^-100, 2^100], where products of three factors neither overflow
+   nor underflow. It is 1 for all but absurd units, and multiplying by it is exact. */
+static double surfmink__scale(double m)
+{
+    double scale = 1;
+    while (m * scale > 1.2676506002282294e30) scale *= 6.2230152778611417e-61; /* 2^100, 2^-200 */
+    while (m * scale < 7.8886090522101181e-31) scale *= 1.6069380442589903e60; /* 2^-100, 2^200 */
+    return scale;
+}
+
+/* Brings a normal in a column of the kernels to ordinary magnitude, if it has one. */
+static void surfmink__shrink_normal(double *normal)
+{
+    const size_t column = SURFMINK__ROWS + 2;
+    double x = surfmink__abs(normal[0]), y = surfmink__abs(normal[column]), z = surfmink__abs(normal[2 * column]),
+           scale;
+    if (y > x) x = y;
+    if (z > x) x = z;
+    if (!(x > 0 && x <= 1.7976931348623157e308)) return;
+    scale = surfmink__scale(x);
+    normal[0] *= scale;
+    normal[column] *= scale;
+    normal[2 * column] *= scale;
+}
+
+/* What is summed over the rows of an outline: l_i, alpha_i, area, |alpha_i|, and 1 for each row that is ordinary. */
+enum { SURFMINK__LENGTH, SURFMINK__TURNING, SURFMINK__AREA, SURFMINK__TURNS, SURFMINK__GOOD, SURFMINK__SUMS };
+
+/* Outlines to measure. */
 typedef struct surfmink__job {
     const double *corner, *normal; /* embedded only: normal */
     const size_t *offset;
     const surfmink_results *out;
     double *scratch;
-    double radius; /* 1 unless it is a sphere */
+    surfmink_functionals *w; /* of a single outline, or NULL */
+    double radius;           /* of the sphere, else 1 */
+    double unit;             /* of lengths that the kernels measure */
+    double scale;            /* power of two that makes a single outline ordinary */
     enum surfmink__kind kind;
     int max_rank;
 } surfmink__job;
@@ -686,14 +717,12 @@ typedef struct SURFMINK__ALIGNED SURFMINK__(rows) {
     double first[3][2 * SURFMINK__LANES]; /* strips: corners 0 and 1 of the outline, in columns */
 } SURFMINK__(rows);
 
-/* Sums over the rows of each lane. */
+/* Sums over the rows of each lane, and what else is known of it. */
 typedef struct SURFMINK__ALIGNED SURFMINK__(totals) {
-    double length[SURFMINK__LANES], turning[SURFMINK__LANES], area[SURFMINK__LANES]; /* L, sum alpha_i, area */
-    double known[SURFMINK__LANES];                                                   /* S, as well as it can be known */
-    double turns[SURFMINK__LANES];                                                   /* sum |alpha_i| */
-    double sharpest[SURFMINK__LANES];                                                /* largest |alpha_i| */
+    double sum[SURFMINK__SUMS][SURFMINK__LANES];
+    double known[SURFMINK__LANES];    /* S, as well as it can be known */
+    double sharpest[SURFMINK__LANES]; /* largest |alpha_i| */
     double largest[SURFMINK__LANES];  /* largest sine or cosine, whose common factor is that of the unit */
-    double good[SURFMINK__LANES];     /* rows that are ordinary: padding is none */
     double expected[SURFMINK__LANES]; /* good rows, if all are */
     double behind[SURFMINK__LANES];   /* turns between the middle of edge 0 and the lane */
 } SURFMINK__(totals);
@@ -731,6 +760,14 @@ SURFMINK__INLINE void SURFMINK__(subtract)(const surfmink__real a[3], const surf
     difference[0] = a[0] - b[0];
     difference[1] = a[1] - b[1];
     difference[2] = a[2] - b[2];
+}
+
+/* Adds a length to a sum of lengths that remembers what rounding took away. */
+SURFMINK__INLINE void SURFMINK__(add_length)(surfmink__real length, surfmink__real *sum, surfmink__real *lost)
+{
+    surfmink__real high = *sum + length;
+    *lost = *lost + (length - (high - *sum));
+    *sum = high;
 }
 
 /* --- angles ------------------------------------------------------------------------------------------------------- */
@@ -851,15 +888,13 @@ SURFMINK__INLINE surfmink__real SURFMINK__(ordinary)(surfmink__real larger, surf
     return SURFMINK__WHERE(good, SURFMINK__SET(1.0));
 }
 
-#define SURFMINK__ADD_TO(total, x) SURFMINK__STORE(total + lane, SURFMINK__LOAD(total + lane) + (x))
-
 /* Straight edges between points of a surface in space. */
 SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) * r, size_t rows, SURFMINK__(totals) * t)
 {
-    surfmink__real x[3], a[3], b[3], n[3], aa, bb, nn, before, length, sine, cosine, larger, sum, good, most;
+    surfmink__real x[3], a[3], b[3], n[3], aa, bb, nn, before, length, sine, cosine, larger, sum, lost, good, most;
     size_t lane, i;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
-        sum = good = SURFMINK__SET(0.0);
+        sum = lost = good = SURFMINK__SET(0.0);
         most = SURFMINK__LOAD(t->largest + lane);
         SURFMINK__(load)(r->column[0] + lane, x);
         SURFMINK__(load)(r->column[0] + lane + SURFMINK__LANES, a);
@@ -872,7 +907,7 @@ SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) * r, size_t ro
             SURFMINK__(subtract)(b, x, b);
             bb = SURFMINK__(dot)(b, b);
             length = SURFMINK__ROOT(bb);
-            sum = sum + length;
+            SURFMINK__(add_length)(length, &sum, &lost);
             SURFMINK__STORE(r->length + i, length);
             SURFMINK__(load)(r->column[3] + i + SURFMINK__LANES, n);
             nn = SURFMINK__(dot)(n, n);
@@ -888,8 +923,8 @@ SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) * r, size_t ro
             aa = bb;
             before = length;
         }
-        SURFMINK__ADD_TO(t->length, sum);
-        SURFMINK__ADD_TO(t->good, good);
+        SURFMINK__STORE(t->sum[SURFMINK__LENGTH] + lane, sum + lost);
+        SURFMINK__STORE(t->sum[SURFMINK__GOOD] + lane, good);
         SURFMINK__STORE(t->largest + lane, most);
     }
 }
@@ -902,11 +937,11 @@ SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) * r, size_t rows
                                                SURFMINK__(totals) * t)
 {
     surfmink__real p[3], x[3], y[3], a[3], b[3], c[3], aa, bb, bn, xx, yy, p_norm, x_norm, y_norm, px, py, norms;
-    surfmink__real sine, cosine, square, length, rise, around, sum, good, re, im, part, below;
+    surfmink__real sine, cosine, square, length, rise, around, sum, lost, good, re, im, part, below;
     surfmink__mask fine;
     size_t lane, i;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
-        sum = good = im = SURFMINK__SET(0.0);
+        sum = lost = good = im = SURFMINK__SET(0.0);
         re = SURFMINK__SET(1.0);
         p[0] = SURFMINK__LOAD(first + lane);
         p[1] = SURFMINK__LOAD(first + lane + stride);
@@ -947,7 +982,7 @@ SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) * r, size_t rows
             fine = SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(2.0), rise, SURFMINK__SET(1e-200)), bb * around);
             fine = fine & SURFMINK__LESS(square, SURFMINK__SET(1.0)) & SURFMINK__LESS(norms, below);
             good = good + SURFMINK__WHERE(fine, SURFMINK__SET(1.0));
-            sum = sum + length;
+            SURFMINK__(add_length)(length, &sum, &lost);
             SURFMINK__STORE(r->length + i, length);
             SURFMINK__STORE(r->turned + i, sine);
             SURFMINK__STORE(r->cosine + i, cosine);
@@ -962,9 +997,9 @@ SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) * r, size_t rows
             px = py;
             x_norm = y_norm;
         }
-        SURFMINK__ADD_TO(t->length, sum);
-        SURFMINK__ADD_TO(t->good, good);
-        SURFMINK__ADD_TO(t->area, SURFMINK__SET(2.0) * SURFMINK__(atan2)(im, re));
+        SURFMINK__STORE(t->sum[SURFMINK__LENGTH] + lane, sum + lost);
+        SURFMINK__STORE(t->sum[SURFMINK__GOOD] + lane, good);
+        SURFMINK__STORE(t->sum[SURFMINK__AREA] + lane, SURFMINK__SET(2.0) * SURFMINK__(atan2)(im, re));
     }
 }
 
@@ -974,11 +1009,11 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) * r, size_t rows,
                                               SURFMINK__(totals) * t)
 {
     surfmink__real p[2], u[2], x[2], y[2], a[2], b[2], d[2], length, inverse, cross, along, re, im;
-    surfmink__real sum, good, area, turns, zero = SURFMINK__SET(0.0), one = SURFMINK__SET(1.0);
+    surfmink__real sum, lost, good, area, turns, zero = SURFMINK__SET(0.0), one = SURFMINK__SET(1.0);
     surfmink__mask fine, passes, a_below, b_below;
     size_t lane, i;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
-        sum = good = area = turns = zero;
+        sum = lost = good = area = turns = zero;
         p[0] = SURFMINK__LOAD(first + lane);
         p[1] = SURFMINK__LOAD(first + lane + stride);
         u[0] = SURFMINK__LOAD(first + lane + SURFMINK__LANES) - p[0];
@@ -1010,7 +1045,7 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) * r, size_t rows,
             re = SURFMINK__FMA(b[1], u[1], b[0] * u[0]);
             im = SURFMINK__FNMA(b[0], u[1], b[1] * u[0]);
             inverse = one / SURFMINK__MAX(length, SURFMINK__SET(1e-300));
-            sum = sum + length;
+            SURFMINK__(add_length)(length, &sum, &lost);
             good = good + SURFMINK__WHERE(fine, one);
             turns = turns + SURFMINK__WHERE(passes, SURFMINK__SIGNED(one, cross));
             area = area + SURFMINK__FNMA(d[1], b[0], d[0] * b[1]);
@@ -1024,10 +1059,10 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) * r, size_t rows,
             a[1] = b[1];
             a_below = b_below;
         }
-        SURFMINK__ADD_TO(t->length, sum);
-        SURFMINK__ADD_TO(t->good, good);
-        SURFMINK__ADD_TO(t->area, SURFMINK__SET(0.5) * area);
-        SURFMINK__ADD_TO(t->turning, SURFMINK__SET(6.2831853071795865) * turns);
+        SURFMINK__STORE(t->sum[SURFMINK__LENGTH] + lane, sum + lost);
+        SURFMINK__STORE(t->sum[SURFMINK__GOOD] + lane, good);
+        SURFMINK__STORE(t->sum[SURFMINK__AREA] + lane, SURFMINK__SET(0.5) * area);
+        SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, SURFMINK__SET(6.2831853071795865) * turns);
     }
 }
 
@@ -1049,8 +1084,8 @@ SURFMINK__KERNEL void SURFMINK__(angles)(SURFMINK__(rows) * r, size_t rows, SURF
             sharpest = SURFMINK__MAX(sharpest, size);
             SURFMINK__STORE(r->turned + i, turned);
         }
-        SURFMINK__STORE(t->turning + lane, turned);
-        SURFMINK__ADD_TO(t->turns, turns);
+        SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, turned);
+        SURFMINK__STORE(t->sum[SURFMINK__TURNS] + lane, turns);
         SURFMINK__STORE(t->sharpest + lane, sharpest);
     }
 }
@@ -1174,25 +1209,24 @@ SURFMINK__KERNEL void SURFMINK__(spectrum)(SURFMINK__(ranks) * r, const double *
         SURFMINK__(rank)(r->g + lane + 4 * SURFMINK__LANES, length + lane, p, r->mu + lane + 2 * SURFMINK__LANES, NULL);
     }
     for (k = 0; k < 3 && with_theta; ++k)
-        for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH)
-            SURFMINK__(rank)
-            (r->g + lane + 2 * k * SURFMINK__LANES, length + lane, p + (double)k, r->mu + lane + k * SURFMINK__LANES,
-             theta + lane + k * SURFMINK__LANES);
+        for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) SURFMINK__(rank)
+    (r->g + lane + 2 * k * SURFMINK__LANES, length + lane, p + (double)k, r->mu + lane + k * SURFMINK__LANES,
+     theta + lane + k * SURFMINK__LANES);
 }
 
 /* --- batches: all four steps for a group of lanes ----------------------------------------------------------------- */
 
 /* Outlines of at most SURFMINK__ROWS corners, a lane each; or the strips of one that is longer. */
 typedef struct SURFMINK__(group) {
-    surfmink__sum turned[SURFMINK__LANES]; /* strips: turns of the lane so far */
-    size_t outline[SURFMINK__LANES];       /* which one of the batch */
-    size_t base[SURFMINK__LANES];          /* its first corner */
-    size_t size[SURFMINK__LANES];          /* how many it has */
-    size_t start[SURFMINK__LANES];         /* the first corner of the lane */
-    size_t count[SURFMINK__LANES];         /* how many it has */
-    size_t used;                           /* lanes that hold results of their own */
-    size_t rows;                           /* of the longest lane */
-    size_t strips;                         /* one outline or several? */
+    surfmink__sum sum[SURFMINK__SUMS][SURFMINK__LANES]; /* strips: sums over the rows so far */
+    size_t outline[SURFMINK__LANES];                    /* which one of the batch */
+    size_t base[SURFMINK__LANES];                       /* its first corner */
+    size_t size[SURFMINK__LANES];                       /* how many it has */
+    size_t start[SURFMINK__LANES];                      /* the first corner of the lane */
+    size_t count[SURFMINK__LANES];                      /* how many it has */
+    size_t used;                                        /* lanes that hold results of their own */
+    size_t rows;                                        /* of the longest lane */
+    size_t strips;                                      /* one outline or several? */
 } SURFMINK__(group);
 
 /* Where the corners of a lane stand: the one before the rows at hand, the rows themselves, and what comes behind them. */
@@ -1200,32 +1234,34 @@ typedef struct SURFMINK__(run) {
     size_t before, at, count, behind;
 } SURFMINK__(run);
 
-/* One component of two neighbouring lanes (of the one lane). */
-SURFMINK__INLINE void SURFMINK__(put)(double a, double b, double *at)
+/* One row of two neighbouring lanes; of the one lane, where batches have to be ordinary as they are but a single outline
+   is made so. */
+SURFMINK__INLINE void SURFMINK__(put)(double a, double b, double scale, double *at)
 {
 #if SURFMINK__GANG == 2
     surfmink__pair pair;
     pair[0] = a;
     pair[1] = b;
     *(surfmink__pair *)(void *)at = pair;
+    (void)scale;
 #else
-    *at = a;
+    *at = a * scale;
     (void)b;
 #endif
 }
 
-SURFMINK__INLINE void SURFMINK__(put_row)(const double *a, const double *b, size_t dim, double *row)
+SURFMINK__INLINE void SURFMINK__(put_row)(const double *a, const double *b, size_t dim, double scale, double *row)
 {
-    SURFMINK__(put)(a[0], b[0], row);
-    SURFMINK__(put)(a[1], b[1], row + SURFMINK__COLUMN);
-    if (dim > 2) SURFMINK__(put)(a[2], b[2], row + 2 * SURFMINK__COLUMN);
+    SURFMINK__(put)(a[0], b[0], scale, row);
+    SURFMINK__(put)(a[1], b[1], scale, row + SURFMINK__COLUMN);
+    if (dim > 2) SURFMINK__(put)(a[2], b[2], scale, row + 2 * SURFMINK__COLUMN);
 }
 
-/* Spreads corners (or normals) of all lanes over columns, two lanes at a time. For corners also the row before the first
-   and the one behind the last. Short lanes are padded with the corner behind their last one: edges of length 0, which
-   turn nowhere. */
-SURFMINK__INLINE void SURFMINK__(gather)(const double *from, size_t dim, const SURFMINK__(run) * run, size_t rows,
-                                         int ends, double *column)
+/* Spreads corners (or normals) of all lanes over columns, two lanes at a time. For corners also the row before the
+   first and the one behind the last. Short lanes are padded with the corner behind their last one: edges of length 0,
+   which turn nowhere. */
+SURFMINK__INLINE void SURFMINK__(gather)(const double *from, size_t dim, double scale, const SURFMINK__(run) * run,
+                                         size_t rows, int ends, double *column)
 {
     size_t lane, i, both;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__GANG, run += SURFMINK__GANG, column += SURFMINK__GANG) {
@@ -1233,11 +1269,12 @@ SURFMINK__INLINE void SURFMINK__(gather)(const double *from, size_t dim, const S
         const double *a = from + dim * run->at, *b = from + dim * next->at;
         const double *a_behind = from + dim * run->behind, *b_behind = from + dim * next->behind;
         double *row = column + SURFMINK__LANES;
-        if (ends) SURFMINK__(put_row)(from + dim * run->before, from + dim * next->before, dim, column);
+        if (ends) SURFMINK__(put_row)(from + dim * run->before, from + dim * next->before, dim, scale, column);
         both = run->count < next->count ? run->count : next->count;
-        for (i = 0; i < both; ++i, a += dim, b += dim, row += SURFMINK__LANES) SURFMINK__(put_row)(a, b, dim, row);
+        for (i = 0; i < both; ++i, a += dim, b += dim, row += SURFMINK__LANES)
+            SURFMINK__(put_row)(a, b, dim, scale, row);
         for (; i < rows + (ends ? 1 : 0); ++i, a += dim, b += dim, row += SURFMINK__LANES)
-            SURFMINK__(put_row)(i < run->count ? a : a_behind, i < next->count ? b : b_behind, dim, row);
+            SURFMINK__(put_row)(i < run->count ? a : a_behind, i < next->count ? b : b_behind, dim, scale, row);
     }
 }
 
@@ -1258,15 +1295,18 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
         run[lane].before = (run[lane].at > base ? run[lane].at : base + g->size[lane]) - 1;
     }
     if (job->kind == SURFMINK__PLANE) {
-        SURFMINK__(gather)(job->corner, 2, run, rows, 1, r->column[0]);
+        SURFMINK__(gather)(job->corner, 2, job->scale, run, rows, 1, r->column[0]);
         SURFMINK__(edges_plane)(r, rows, first, stride, t);
         return;
     }
-    SURFMINK__(gather)(job->corner, 3, run, rows, 1, r->column[0]);
+    SURFMINK__(gather)(job->corner, 3, job->scale, run, rows, 1, r->column[0]);
     if (job->kind == SURFMINK__SPHERE)
         SURFMINK__(edges_sphere)(r, rows, first, stride, t);
     else {
-        SURFMINK__(gather)(job->normal, 3, run, rows, 0, r->column[3]);
+        SURFMINK__(gather)(job->normal, 3, 1, run, rows, 0, r->column[3]);
+#if SURFMINK__LANES == 1
+        for (lane = 0; lane < rows; ++lane) surfmink__shrink_normal(r->column[3] + 1 + lane);
+#endif
         SURFMINK__(edges_embedded)(r, rows, t);
     }
     SURFMINK__(angles)(r, rows, t);
@@ -1277,27 +1317,33 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
    than a sum of rounded turns. Phases go by the sum, for that closes. */
 SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(totals) * t)
 {
-    surfmink__real length, turning, known;
+    surfmink__real length, turning, area, known;
     surfmink__mask fine;
     size_t lane;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
-        length = SURFMINK__LOAD(t->length + lane);
-        turning = SURFMINK__LOAD(t->turning + lane);
-        known = SURFMINK__SET(6.2831853071795865) - SURFMINK__LOAD(t->area + lane);
+        length = SURFMINK__LOAD(t->sum[SURFMINK__LENGTH] + lane);
+        turning = SURFMINK__LOAD(t->sum[SURFMINK__TURNING] + lane);
+        known = SURFMINK__SET(6.2831853071795865) - SURFMINK__LOAD(t->sum[SURFMINK__AREA] + lane);
         if (job->kind == SURFMINK__PLANE) known = SURFMINK__SET(6.2831853071795865);
         if (job->kind == SURFMINK__EMBEDDED) known = turning;
-        fine = SURFMINK__LESS(SURFMINK__ABS(SURFMINK__LOAD(t->good + lane) - SURFMINK__LOAD(t->expected + lane)),
-                              SURFMINK__SET(0.5));
+        fine = SURFMINK__LESS(
+            SURFMINK__ABS(SURFMINK__LOAD(t->sum[SURFMINK__GOOD] + lane) - SURFMINK__LOAD(t->expected + lane)),
+            SURFMINK__SET(0.5));
         fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-100), length) & SURFMINK__LESS(length, SURFMINK__SET(1e100));
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->sharpest + lane), SURFMINK__SET(3.14159265358978)); /* spikes */
-        fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-3) * SURFMINK__LOAD(t->turns + lane), known);
+        fine = fine & SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(1e-3), SURFMINK__LOAD(t->sum[SURFMINK__TURNS] + lane),
+                                                   SURFMINK__SET(1e-3)),
+                                     known);
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
-        if (job->kind == SURFMINK__SPHERE)
-            fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), SURFMINK__LOAD(t->area + lane));
-        SURFMINK__STORE(t->turning + lane, SURFMINK__SELECT(fine, turning, SURFMINK__SET(1.0)));
+        area = SURFMINK__LOAD(t->sum[SURFMINK__AREA] + lane);
+        if (job->kind == SURFMINK__SPHERE) fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), area);
+        fine = fine & SURFMINK__LESS(length * SURFMINK__SET(job->unit), SURFMINK__SET(1.7e308));
+        fine =
+            fine & SURFMINK__LESS(area * SURFMINK__SET(job->unit) * SURFMINK__SET(job->unit), SURFMINK__SET(1.7e308));
+        SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, SURFMINK__SELECT(fine, turning, SURFMINK__SET(1.0)));
         SURFMINK__STORE(t->known + lane, known);
-        SURFMINK__STORE(t->good + lane, SURFMINK__WHERE(fine, SURFMINK__SET(1.0)));
+        SURFMINK__STORE(t->sum[SURFMINK__GOOD] + lane, SURFMINK__WHERE(fine, SURFMINK__SET(1.0)));
     }
 }
 
@@ -1308,16 +1354,24 @@ SURFMINK__KERNEL void SURFMINK__(write)(const surfmink__job *job, const SURFMINK
     const surfmink_results *out = job->out;
     size_t lane, i, ranks = (size_t)job->max_rank + 1;
     for (lane = 0; lane < g->used; ++lane) {
-        if (!(t->good[lane] > 0)) continue;
+        if (!(t->sum[SURFMINK__GOOD][lane] > 0)) continue;
         i = g->outline[lane];
         if (out->status) out->status[i] = SURFMINK_OK;
-        if (out->length) out->length[i] = t->length[lane] * job->radius;
+        if (out->length) out->length[i] = t->sum[SURFMINK__LENGTH][lane] * job->unit;
         if (out->turning) out->turning[i] = t->known[lane];
-        if (out->area) out->area[i] = t->area[lane] * job->radius * job->radius;
+        if (job->w) {
+            job->w->length = t->sum[SURFMINK__LENGTH][lane] * job->unit;
+            job->w->turning = t->known[lane];
+            job->w->area = t->sum[SURFMINK__AREA][lane] * job->unit * job->unit;
+            job->w->curvature =
+                job->kind == SURFMINK__SPHERE ? t->sum[SURFMINK__AREA][lane] : surfmink__two_pi - t->known[lane];
+            job->w->condition = t->sum[SURFMINK__TURNS][lane] / t->known[lane];
+        }
+        if (out->area) out->area[i] = t->sum[SURFMINK__AREA][lane] * job->unit * job->unit;
         if (out->mu) out->mu[i * ranks] = 1;
         if (out->theta) out->theta[i * ranks] = 0;
         if (out->g) {
-            out->g[2 * i * ranks] = t->length[lane] * job->radius;
+            out->g[2 * i * ranks] = t->sum[SURFMINK__LENGTH][lane] * job->unit;
             out->g[2 * i * ranks + 1] = 0;
         }
     }
@@ -1337,10 +1391,10 @@ SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SU
 {
     const surfmink_results *out = job->out;
     size_t lane, at, k, count = job->max_rank - p < 2 ? (size_t)(job->max_rank - p + 1) : 3;
-    if (out->mu || out->theta) SURFMINK__(spectrum)(r, t->length, p, out->theta != NULL);
-    for (k = 0; k < 6 * SURFMINK__LANES && job->kind == SURFMINK__SPHERE; ++k) r->g[k] *= job->radius;
+    if (out->mu || out->theta) SURFMINK__(spectrum)(r, t->sum[SURFMINK__LENGTH], p, out->theta != NULL);
+    for (k = 0; k < 6 * SURFMINK__LANES && !(job->unit == 1); ++k) r->g[k] *= job->unit;
     for (lane = 0; lane < g->used; ++lane) {
-        if (!(t->good[lane] > 0)) continue;
+        if (!(t->sum[SURFMINK__GOOD][lane] > 0)) continue;
         at = g->outline[lane] * ((size_t)job->max_rank + 1) + (size_t)p;
         if (count == 3) {
             if (out->mu) SURFMINK__(take)(r->mu + lane, out->mu + at);
@@ -1358,10 +1412,11 @@ SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SU
 
 SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) * t)
 {
-    size_t lane;
-    for (lane = 0; lane < SURFMINK__LANES; ++lane)
-        t->length[lane] = t->turning[lane] = t->area[lane] = t->turns[lane] = t->sharpest[lane] = t->largest[lane] =
-            t->good[lane] = 0;
+    size_t lane, k;
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+        for (k = 0; k < SURFMINK__SUMS; ++k) t->sum[k][lane] = 0;
+        t->sharpest[lane] = t->largest[lane] = 0;
+    }
 }
 
 /* Outlines that fit into the rows whole. */
@@ -1376,7 +1431,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMI
     SURFMINK__(judge)(job, t);
     SURFMINK__(write)(job, g, t);
     for (lane = 0; lane < SURFMINK__LANES; ++lane) t->behind[lane] = -r->turned[lane];
-    if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, t->behind, t->turning);
+    if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, t->behind, t->sum[SURFMINK__TURNING]);
     for (p = 1; p <= job->max_rank; p += 3) {
         SURFMINK__(power_sums)
         (r->length, r->turned, r->column[2], r->column[3], g->rows, p + 3 <= job->max_rank, sum.g);
@@ -1389,14 +1444,15 @@ SURFMINK__KERNEL void SURFMINK__(measure_strips)(const surfmink__job *job, SURFM
                                                  size_t rows, SURFMINK__(rows) * r, SURFMINK__(totals) * t)
 {
     double before;
-    size_t lane, i;
+    size_t lane, i, k;
     if (row == 0) SURFMINK__(begin)(t);
     SURFMINK__(measure_rows)(job, g, row, rows, r, t);
-    for (lane = 0; lane < SURFMINK__LANES && job->kind != SURFMINK__PLANE; ++lane) {
-        if (row == 0) g->turned[lane].high = g->turned[lane].low = 0;
-        before = surfmink__value(g->turned + lane);
-        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) r->turned[i] += before;
-        surfmink__add(g->turned + lane, t->turning[lane]);
+    for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+        for (k = 0; k < SURFMINK__SUMS && row == 0; ++k) g->sum[k][lane].high = g->sum[k][lane].low = 0;
+        before = surfmink__value(&g->sum[SURFMINK__TURNING][lane]);
+        for (i = lane; i < rows * SURFMINK__LANES && job->kind != SURFMINK__PLANE; i += SURFMINK__LANES)
+            r->turned[i] += before;
+        for (k = 0; k < SURFMINK__SUMS; ++k) surfmink__add(&g->sum[k][lane], t->sum[k][lane]);
     }
 }
 
@@ -1423,24 +1479,21 @@ SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK_
     }
 }
 
-/* The strips of a long outline put together: each lane of the totals says the same afterwards. */
-SURFMINK__KERNEL void SURFMINK__(join)(const surfmink__job *job, SURFMINK__(group) * g, SURFMINK__(totals) * t)
+/* The strips of a long outline put together, in the first lane of the totals. */
+SURFMINK__KERNEL void SURFMINK__(join)(const SURFMINK__(group) * g, SURFMINK__(totals) * t)
 {
-    surfmink__sum turning = {0, 0};
-    size_t lane;
-    for (lane = 0; lane < SURFMINK__LANES && job->kind != SURFMINK__PLANE; ++lane) {
-        t->behind[lane] += surfmink__value(&turning);
-        surfmink__add(&turning, g->turned[lane].high);
-        surfmink__add(&turning, g->turned[lane].low);
-        t->turning[lane] = 0;
+    surfmink__sum sum;
+    size_t lane, k;
+    for (k = 0; k < SURFMINK__SUMS; ++k) {
+        sum.high = sum.low = 0;
+        for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+            if (k == SURFMINK__TURNING) t->behind[lane] += surfmink__value(&sum);
+            surfmink__add(&sum, g->sum[k][lane].high);
+            surfmink__add(&sum, g->sum[k][lane].low);
+        }
+        t->sum[k][0] = surfmink__value(&sum);
     }
-    t->turning[0] += surfmink__value(&turning);
     for (lane = 1; lane < SURFMINK__LANES; ++lane) {
-        t->length[0] += t->length[lane];
-        t->turning[0] += t->turning[lane];
-        t->area[0] += t->area[lane];
-        t->turns[0] += t->turns[lane];
-        t->good[0] += t->good[lane];
         if (t->sharpest[lane] > t->sharpest[0]) t->sharpest[0] = t->sharpest[lane];
         if (t->largest[lane] > t->largest[0]) t->largest[0] = t->largest[lane];
     }
@@ -1461,7 +1514,7 @@ SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, size_t outline, 
         g->start[lane] = g->base[lane] + lane * g->rows;
         g->count[lane] = n - lane * g->rows < g->rows ? n - lane * g->rows : g->rows;
         t->expected[lane] = (double)(ptrdiff_t)n;
-        for (k = 0; k < 2 * dim; ++k) r->first[k % dim][k / dim * SURFMINK__LANES + lane] = corner[k];
+        for (k = 0; k < 2 * dim; ++k) r->first[k % dim][k / dim * SURFMINK__LANES + lane] = corner[k] * job->scale;
     }
 }
 
@@ -1480,11 +1533,11 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
         for (lane = 0; lane < SURFMINK__LANES && row == 0; ++lane) t->behind[lane] = -r->turned[0];
         if (kept) SURFMINK__(keep)(job, g, row, rows, r, 0);
     }
-    SURFMINK__(join)(job, g, t);
+    SURFMINK__(join)(g, t);
     SURFMINK__(judge)(job, t);
     SURFMINK__(write)(job, g, t);
-    for (lane = 1; lane < SURFMINK__LANES; ++lane) t->turning[lane] = t->turning[0];
-    for (first = 1; first <= job->max_rank && t->good[0] > 0; first += 3 * SURFMINK__TILES) {
+    for (lane = 1; lane < SURFMINK__LANES; ++lane) t->sum[SURFMINK__TURNING][lane] = t->sum[SURFMINK__TURNING][0];
+    for (first = 1; first <= job->max_rank && t->sum[SURFMINK__GOOD][0] > 0; first += 3 * SURFMINK__TILES) {
         tiles = job->max_rank - first < 3 * SURFMINK__TILES ? (job->max_rank - first) / 3 + 1 : SURFMINK__TILES;
         for (tile = 0; tile < tiles; ++tile)
             for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile].g[k] = 0;
@@ -1494,7 +1547,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
                 SURFMINK__(keep)(job, g, row, rows, r, 1);
             else
                 SURFMINK__(measure_strips)(job, g, row, rows, r, &again);
-            if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, rows, t->behind, t->turning);
+            if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, rows, t->behind, t->sum[SURFMINK__TURNING]);
             SURFMINK__(raise)(r->length, r->turned, r->column[2], r->column[3], rows, first - 1);
             for (tile = 0; tile < tiles; ++tile) {
                 SURFMINK__(power_sums)
@@ -1542,7 +1595,7 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
         }
         g.rows = g.count[g.used - 1];
         SURFMINK__(measure_short)(job, &g, &r, &t);
-        for (lane = 0; lane < g.used; ++lane) left[g.outline[lane] - first] = !(t.good[lane] > 0);
+        for (lane = 0; lane < g.used; ++lane) left[g.outline[lane] - first] = !(t.sum[SURFMINK__GOOD][lane] > 0);
     }
     g.strips = 1;
     for (i = 0; i < count; ++i) {
@@ -1550,7 +1603,7 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
         if (left[i] || n <= SURFMINK__ROWS) continue;
         SURFMINK__(cut)(job, first + i, n, &g, &r, &t);
         SURFMINK__(measure_long)(job, &g, &r, &t);
-        left[i] = !(t.good[0] > 0);
+        left[i] = !(t.sum[SURFMINK__GOOD][0] > 0);
     }
 }
 
@@ -1640,21 +1693,15 @@ static double surfmink__max_abs(const double *v, size_t dim)
     return m;
 }
 
-/* The power of two that brings a magnitude m > 0 into [2^-100, 2^100], where products of three factors neither overflow
-   nor underflow. It is 1 for all but absurd units, and multiplying by it is exact. */
-static double surfmink__scale(double m)
-{
-    double scale = 1;
-    while (m * scale > 1.2676506002282294e30) scale *= 6.2230152778611417e-61; /* 2^100, 2^-200 */
-    while (m * scale < 7.8886090522101181e-31) scale *= 1.6069380442589903e60; /* 2^-100, 2^200 */
-    return scale;
-}
-
 /* The power of two that brings a magnitude m > 0 into [1, 2): the same numbers come out of m in any unit. */
 static double surfmink__binade(double m)
 {
+    static const double step[7] = {18446744073709551616.0, 4294967296.0, 65536, 256, 16, 4, 2};
     double scale = surfmink__scale(m);
-    while (m * scale >= 2) scale /= 2;
+    int k;
+    if (m * scale < 1 && scale < 1e270) scale *= 1.2676506002282294e30; /* 2^100 */
+    for (k = 0; k < 7; ++k)
+        if (m * scale >= step[k]) scale /= step[k];
     while (m * scale < 1 && scale < 4e307) scale *= 2; /* beyond is no double: denormals stay below 1 */
     return scale;
 }
@@ -2723,22 +2770,87 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
 
 /* --- the easy door ------------------------------------------------------------------------------------------------ */
 
-/* Twice over the corners: once for S, which every phase needs, once for the components. Nothing is written before
+static surfmink__job surfmink__job_of(enum surfmink__kind kind, const double *corner, const double *normal,
+                                      double radius, const size_t *offset, int max_rank, const surfmink_results *out,
+                                      double *scratch)
+{
+    surfmink__job job;
+    job.kind = kind;
+    job.corner = corner;
+    job.normal = normal;
+    job.radius = job.unit = radius;
+    job.scale = 1;
+    job.offset = offset;
+    job.max_rank = max_rank;
+    job.out = out;
+    job.scratch = scratch;
+    job.w = NULL;
+    return job;
+}
+
+/* sum |alpha_i| in the plane, where the kernels need no angles. */
+static double surfmink__turns_plane(const surfmink__outline *o)
+{
+    surfmink__sum turned = {0, 0};
+    double length, turning;
+    size_t i;
+    for (i = 0; i < o->n; ++i) {
+        surfmink__measure_corner(o, i, &length, &turning);
+        surfmink__add(&turned, surfmink__abs(turning));
+    }
+    return surfmink__value(&turned);
+}
+
+/* An ordinary outline, as a batch of one with a single lane. The scales are its own, so that the same bits come out in
+   any unit. Returns whether it was ordinary; if not, nothing is written. */
+static int surfmink__quickly(const surfmink__outline *o, int max_rank, double *mu, double *g, double *theta,
+                             surfmink_functionals *w)
+{
+    size_t offset[2] = {0, 0}, dim = (size_t)o->dim;
+    surfmink_results out = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL};
+    surfmink__job job = surfmink__job_of(o->kind, o->corner, o->normal, o->radius, offset, max_rank, &out, NULL);
+    double edge[3];
+    unsigned char left;
+    if (o->kind == SURFMINK__MEASURED || o->n < 3) return 0;
+    surfmink__sub(o->corner + dim, o->corner, dim, edge);
+    if (!surfmink__finite(edge, dim) || !(surfmink__max_abs(edge, dim) > 0)) return 0;
+    job.scale = o->kind == SURFMINK__SPHERE ? o->scale : surfmink__binade(surfmink__max_abs(edge, dim));
+    if (o->kind != SURFMINK__SPHERE) job.unit = 1 / job.scale;
+    offset[1] = o->n;
+    out.mu = mu;
+    out.g = g;
+    out.theta = theta;
+    job.w = w;
+    surfmink__window(&job, 0, 1, &left);
+    if (left) return 0;
+    if (w && o->kind == SURFMINK__PLANE) w->condition = surfmink__turns_plane(o) / w->turning;
+    if (w && w->condition < 1) w->condition = 1; /* by rounding */
+    return 1;
+}
+
+/* Corner by corner, and twice: once for S, which every phase needs, once for the components. Nothing is written before
    the second. */
-static int surfmink__measure(const surfmink__outline *o, int max_rank, double *mu, double *g, double *theta,
-                             surfmink_functionals *w, size_t *bad)
+static int surfmink__carefully(const surfmink__outline *o, int max_rank, double *mu, double *g, double *theta,
+                               surfmink_functionals *w, size_t *bad)
 {
     surfmink_functionals total;
     surfmink__curve c;
     double sum;
     int status;
-    if (max_rank < 0) return surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
     if ((status = surfmink__check(o, bad)) != SURFMINK_OK) return status;
     if ((status = surfmink__functionals(o, &total, &sum)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
     c = surfmink__curve_of(o, total.length, surfmink__two_pi / sum);
     if (mu || g || theta) surfmink__integrate(&c, max_rank, mu, g, theta);
     if (w) *w = total;
     return SURFMINK_OK;
+}
+
+static int surfmink__measure(const surfmink__outline *o, int max_rank, double *mu, double *g, double *theta,
+                             surfmink_functionals *w, size_t *bad)
+{
+    if (max_rank < 0) return surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
+    if (surfmink__quickly(o, max_rank, mu, g, theta, w)) return SURFMINK_OK;
+    return surfmink__carefully(o, max_rank, mu, g, theta, w, bad);
 }
 
 SURFMINK_DEF int surfmink_measure_plane(const double *corner, size_t n, int max_rank, double *mu, double *g,
@@ -2781,8 +2893,8 @@ static int surfmink__known_job(const surfmink__job *job)
     return job->max_rank >= 0 && surfmink__positive(job->radius);
 }
 
-/* One outline, corner by corner. Returns whether it is refused. */
-static int surfmink__carefully(const surfmink__job *job, size_t i)
+/* One outline that the kernels have left. Returns whether it is refused. */
+static int surfmink__left_over(const surfmink__job *job, size_t i)
 {
     const surfmink_results *out = job->out;
     const size_t at = job->offset[i], end = job->offset[i + 1], rank = i * ((size_t)job->max_rank + 1);
@@ -2826,7 +2938,7 @@ static size_t surfmink__batch(const surfmink__job *job, size_t count, surfmink__
         size_t size = count - first < SURFMINK__WINDOW ? count - first : SURFMINK__WINDOW;
         if (known) measure(job, first, size, left);
         for (i = 0; i < size; ++i)
-            if (!known || left[i]) refused += (size_t)surfmink__carefully(job, first + i);
+            if (!known || left[i]) refused += (size_t)surfmink__left_over(job, first + i);
     }
     return refused;
 }
@@ -2851,40 +2963,24 @@ static surfmink__measure_window *surfmink__choose(void)
 #endif
 }
 
-static surfmink__job surfmink__job_of(enum surfmink__kind kind, const double *corner, const double *normal,
-                                      const size_t *offset, int max_rank, const surfmink_results *out, double *scratch)
-{
-    surfmink__job job;
-    job.kind = kind;
-    job.corner = corner;
-    job.normal = normal;
-    job.offset = offset;
-    job.radius = 1;
-    job.max_rank = max_rank;
-    job.out = out;
-    job.scratch = scratch;
-    return job;
-}
-
 SURFMINK_DEF size_t surfmink_batch_plane(const double *corner, const size_t *offset, size_t count, int max_rank,
                                          const surfmink_results *out, double *scratch)
 {
-    surfmink__job job = surfmink__job_of(SURFMINK__PLANE, corner, NULL, offset, max_rank, out, scratch);
+    surfmink__job job = surfmink__job_of(SURFMINK__PLANE, corner, NULL, 1, offset, max_rank, out, scratch);
     return surfmink__batch(&job, count, surfmink__choose());
 }
 
 SURFMINK_DEF size_t surfmink_batch_sphere(const double *corner, const size_t *offset, size_t count, double radius,
                                           int max_rank, const surfmink_results *out, double *scratch)
 {
-    surfmink__job job = surfmink__job_of(SURFMINK__SPHERE, corner, NULL, offset, max_rank, out, scratch);
-    job.radius = radius;
+    surfmink__job job = surfmink__job_of(SURFMINK__SPHERE, corner, NULL, radius, offset, max_rank, out, scratch);
     return surfmink__batch(&job, count, surfmink__choose());
 }
 
 SURFMINK_DEF size_t surfmink_batch_embedded(const double *corner, const double *normal, const size_t *offset,
                                             size_t count, int max_rank, const surfmink_results *out, double *scratch)
 {
-    surfmink__job job = surfmink__job_of(SURFMINK__EMBEDDED, corner, normal, offset, max_rank, out, scratch);
+    surfmink__job job = surfmink__job_of(SURFMINK__EMBEDDED, corner, normal, 1, offset, max_rank, out, scratch);
     return surfmink__batch(&job, count, surfmink__choose());
 }
 
