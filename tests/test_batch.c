@@ -880,7 +880,7 @@ static void compare_million(enum surface surface)
     CHECK_OK(s->status);
     CHECK_CLOSE(a.out.length[0], s->w.length, 3e-14);
     CHECK_CLOSE(a.out.turning[0], s->w.turning, 3e-14);
-    CHECK_CLOSE(a.out.area[0], s->w.area, 3e-14);
+    CHECK_NEAR(a.out.area[0], s->w.area, 3e-14);
     for (p = 0; p <= b.max_rank; ++p) {
         off = fmax(off, hypot(a.out.g[2 * p] - s->g[2 * p], a.out.g[2 * p + 1] - s->g[2 * p + 1]) / s->w.length);
         CHECK_NEAR(a.out.mu[p], s->mu[p], 3e-14);
