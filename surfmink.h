@@ -1339,8 +1339,8 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         area = SURFMINK__LOAD(t->sum[SURFMINK__AREA] + lane);
         if (job->kind == SURFMINK__SPHERE) fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), area);
         fine = fine & SURFMINK__LESS(length * SURFMINK__SET(job->unit), SURFMINK__SET(1.7e308));
-        fine =
-            fine & SURFMINK__LESS(area * SURFMINK__SET(job->unit) * SURFMINK__SET(job->unit), SURFMINK__SET(1.7e308));
+        fine = fine & SURFMINK__LESS(SURFMINK__ABS(area) * SURFMINK__SET(job->unit) * SURFMINK__SET(job->unit),
+                                     SURFMINK__SET(1.7e308));
         SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, SURFMINK__SELECT(fine, turning, SURFMINK__SET(1.0)));
         SURFMINK__STORE(t->known + lane, known);
         SURFMINK__STORE(t->sum[SURFMINK__GOOD] + lane, SURFMINK__WHERE(fine, SURFMINK__SET(1.0)));
@@ -2900,7 +2900,7 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
     const size_t at = job->offset[i], end = job->offset[i + 1], rank = i * ((size_t)job->max_rank + 1);
     surfmink__outline o;
     surfmink_functionals w;
-    size_t bad = 0;
+    size_t bad = end >= at ? end - at : 0;
     int status = SURFMINK_BAD_ARGUMENT;
     if (end >= at && surfmink__known_job(job)) {
         if (job->kind == SURFMINK__PLANE)
