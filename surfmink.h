@@ -1225,6 +1225,7 @@ typedef struct SURFMINK__(group) {
     size_t start[SURFMINK__LANES];                      /* the first corner of the lane */
     size_t count[SURFMINK__LANES];                      /* how many it has */
     size_t used;                                        /* lanes that hold results of their own */
+    size_t good, good_lane[SURFMINK__LANES];            /* those of them that are ordinary */
     size_t rows;                                        /* of the longest lane */
     size_t strips;                                      /* one outline or several? */
 } SURFMINK__(group);
@@ -1263,18 +1264,17 @@ SURFMINK__INLINE void SURFMINK__(put_row)(const double *a, const double *b, size
 SURFMINK__INLINE void SURFMINK__(gather)(const double *from, size_t dim, double scale, const SURFMINK__(run) * run,
                                          size_t rows, int ends, double *column)
 {
-    size_t lane, i, both;
+    size_t lane, i, both, end = (rows + (ends ? 1 : 0)) * dim;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__GANG, run += SURFMINK__GANG, column += SURFMINK__GANG) {
         const SURFMINK__(run) *next = run + SURFMINK__GANG - 1;
         const double *a = from + dim * run->at, *b = from + dim * next->at;
         const double *a_behind = from + dim * run->behind, *b_behind = from + dim * next->behind;
         double *row = column + SURFMINK__LANES;
         if (ends) SURFMINK__(put_row)(from + dim * run->before, from + dim * next->before, dim, scale, column);
-        both = run->count < next->count ? run->count : next->count;
-        for (i = 0; i < both; ++i, a += dim, b += dim, row += SURFMINK__LANES)
-            SURFMINK__(put_row)(a, b, dim, scale, row);
-        for (; i < rows + (ends ? 1 : 0); ++i, a += dim, b += dim, row += SURFMINK__LANES)
-            SURFMINK__(put_row)(i < run->count ? a : a_behind, i < next->count ? b : b_behind, dim, scale, row);
+        both = dim * (run->count < next->count ? run->count : next->count);
+        for (i = 0; i < both; i += dim, row += SURFMINK__LANES) SURFMINK__(put_row)(a + i, b + i, dim, scale, row);
+        for (; i < end; i += dim, row += SURFMINK__LANES) SURFMINK__(put_row)
+        (i < dim * run->count ? a + i : a_behind, i < dim * next->count ? b + i : b_behind, dim, scale, row);
     }
 }
 
@@ -1348,32 +1348,34 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
 }
 
 /* What is known before any rank is. */
-SURFMINK__KERNEL void SURFMINK__(write)(const surfmink__job *job, const SURFMINK__(group) * g,
-                                        const SURFMINK__(totals) * t)
+SURFMINK__KERNEL void SURFMINK__(write)(const surfmink__job *job, const SURFMINK__(totals) * t, SURFMINK__(group) * g)
 {
     const surfmink_results *out = job->out;
-    size_t lane, i, ranks = (size_t)job->max_rank + 1;
-    for (lane = 0; lane < g->used; ++lane) {
-        if (!(t->sum[SURFMINK__GOOD][lane] > 0)) continue;
+    surfmink_functionals w;
+    size_t lane, i, k, ranks = (size_t)job->max_rank + 1;
+    g->good = 0;
+    for (lane = 0; lane < g->used; ++lane)
+        if (t->sum[SURFMINK__GOOD][lane] > 0) g->good_lane[g->good++] = lane;
+    for (k = 0; k < g->good; ++k) {
+        lane = g->good_lane[k];
         i = g->outline[lane];
+        w.length = t->sum[SURFMINK__LENGTH][lane] * job->unit;
+        w.turning = t->known[lane];
+        w.area = t->sum[SURFMINK__AREA][lane] * job->unit * job->unit;
         if (out->status) out->status[i] = SURFMINK_OK;
-        if (out->length) out->length[i] = t->sum[SURFMINK__LENGTH][lane] * job->unit;
-        if (out->turning) out->turning[i] = t->known[lane];
-        if (job->w) {
-            job->w->length = t->sum[SURFMINK__LENGTH][lane] * job->unit;
-            job->w->turning = t->known[lane];
-            job->w->area = t->sum[SURFMINK__AREA][lane] * job->unit * job->unit;
-            job->w->curvature =
-                job->kind == SURFMINK__SPHERE ? t->sum[SURFMINK__AREA][lane] : surfmink__two_pi - t->known[lane];
-            job->w->condition = t->sum[SURFMINK__TURNS][lane] / t->known[lane];
-        }
-        if (out->area) out->area[i] = t->sum[SURFMINK__AREA][lane] * job->unit * job->unit;
+        if (out->length) out->length[i] = w.length;
+        if (out->turning) out->turning[i] = w.turning;
+        if (out->area) out->area[i] = w.area;
         if (out->mu) out->mu[i * ranks] = 1;
         if (out->theta) out->theta[i * ranks] = 0;
         if (out->g) {
-            out->g[2 * i * ranks] = t->sum[SURFMINK__LENGTH][lane] * job->unit;
+            out->g[2 * i * ranks] = w.length;
             out->g[2 * i * ranks + 1] = 0;
         }
+        if (!job->w) continue;
+        w.curvature = job->kind == SURFMINK__SPHERE ? t->sum[SURFMINK__AREA][lane] : surfmink__two_pi - w.turning;
+        w.condition = t->sum[SURFMINK__TURNS][lane] / w.turning;
+        *job->w = w;
     }
 }
 
@@ -1386,27 +1388,27 @@ SURFMINK__INLINE void SURFMINK__(take)(const double *from, double *to)
 }
 
 /* Three ranks from p on, as far as they are asked for. */
-SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SURFMINK__(group) * g,
-                                              const SURFMINK__(totals) * t, SURFMINK__(ranks) * r, int p)
+SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SURFMINK__(totals) * t,
+                                              const SURFMINK__(group) * g, SURFMINK__(ranks) * r, int p)
 {
-    const surfmink_results *out = job->out;
-    size_t lane, at, k, count = job->max_rank - p < 2 ? (size_t)(job->max_rank - p + 1) : 3;
-    if (out->mu || out->theta) SURFMINK__(spectrum)(r, t->sum[SURFMINK__LENGTH], p, out->theta != NULL);
+    double *mu = job->out->mu, *theta = job->out->theta, *components = job->out->g;
+    size_t ranks = (size_t)job->max_rank + 1, count = ranks - (size_t)p < 3 ? ranks - (size_t)p : 3, lane, at, j, k;
+    if (mu || theta) SURFMINK__(spectrum)(r, t->sum[SURFMINK__LENGTH], p, theta != NULL);
     for (k = 0; k < 6 * SURFMINK__LANES && !(job->unit == 1); ++k) r->g[k] *= job->unit;
-    for (lane = 0; lane < g->used; ++lane) {
-        if (!(t->sum[SURFMINK__GOOD][lane] > 0)) continue;
-        at = g->outline[lane] * ((size_t)job->max_rank + 1) + (size_t)p;
+    for (k = 0; k < g->good; ++k) {
+        lane = g->good_lane[k];
+        at = g->outline[lane] * ranks + (size_t)p;
         if (count == 3) {
-            if (out->mu) SURFMINK__(take)(r->mu + lane, out->mu + at);
-            if (out->theta) SURFMINK__(take)(r->theta + lane, out->theta + at);
-            if (!out->g) continue;
-            SURFMINK__(take)(r->g + lane, out->g + 2 * at);
-            SURFMINK__(take)(r->g + lane + 3 * SURFMINK__LANES, out->g + 2 * at + 3);
+            if (mu) SURFMINK__(take)(r->mu + lane, mu + at);
+            if (theta) SURFMINK__(take)(r->theta + lane, theta + at);
+            if (!components) continue;
+            SURFMINK__(take)(r->g + lane, components + 2 * at);
+            SURFMINK__(take)(r->g + lane + 3 * SURFMINK__LANES, components + 2 * at + 3);
             continue;
         }
-        for (k = 0; k < count && out->mu; ++k) out->mu[at + k] = r->mu[k * SURFMINK__LANES + lane];
-        for (k = 0; k < count && out->theta; ++k) out->theta[at + k] = r->theta[k * SURFMINK__LANES + lane];
-        for (k = 0; k < 2 * count && out->g; ++k) out->g[2 * at + k] = r->g[k * SURFMINK__LANES + lane];
+        for (j = 0; j < count && mu; ++j) mu[at + j] = r->mu[j * SURFMINK__LANES + lane];
+        for (j = 0; j < count && theta; ++j) theta[at + j] = r->theta[j * SURFMINK__LANES + lane];
+        for (j = 0; j < 2 * count && components; ++j) components[2 * at + j] = r->g[j * SURFMINK__LANES + lane];
     }
 }
 
@@ -1429,13 +1431,13 @@ SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMI
     SURFMINK__(begin)(t);
     SURFMINK__(measure_rows)(job, g, 0, g->rows, r, t);
     SURFMINK__(judge)(job, t);
-    SURFMINK__(write)(job, g, t);
+    SURFMINK__(write)(job, t, g);
     for (lane = 0; lane < SURFMINK__LANES; ++lane) t->behind[lane] = -r->turned[lane];
     if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, t->behind, t->sum[SURFMINK__TURNING]);
     for (p = 1; p <= job->max_rank; p += 3) {
         SURFMINK__(power_sums)
         (r->length, r->turned, r->column[2], r->column[3], g->rows, p + 3 <= job->max_rank, sum.g);
-        SURFMINK__(write_ranks)(job, g, t, &sum, p);
+        SURFMINK__(write_ranks)(job, t, g, &sum, p);
     }
 }
 
@@ -1499,11 +1501,11 @@ SURFMINK__KERNEL void SURFMINK__(join)(const SURFMINK__(group) * g, SURFMINK__(t
     }
 }
 
-/* Cuts an outline of n corners into strips of like length. */
-SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, size_t outline, size_t n, SURFMINK__(group) * g,
+/* Cuts an outline into strips of like length. */
+SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, size_t outline, SURFMINK__(group) * g,
                                       SURFMINK__(rows) * r, SURFMINK__(totals) * t)
 {
-    size_t dim = job->kind == SURFMINK__PLANE ? 2 : 3, lane, k;
+    size_t dim = job->kind == SURFMINK__PLANE ? 2 : 3, n = job->offset[outline + 1] - job->offset[outline], lane, k;
     const double *corner = job->corner + dim * job->offset[outline];
     g->used = 1;
     g->rows = (n + SURFMINK__LANES - 1) / SURFMINK__LANES;
@@ -1535,9 +1537,9 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
     }
     SURFMINK__(join)(g, t);
     SURFMINK__(judge)(job, t);
-    SURFMINK__(write)(job, g, t);
+    SURFMINK__(write)(job, t, g);
     for (lane = 1; lane < SURFMINK__LANES; ++lane) t->sum[SURFMINK__TURNING][lane] = t->sum[SURFMINK__TURNING][0];
-    for (first = 1; first <= job->max_rank && t->sum[SURFMINK__GOOD][0] > 0; first += 3 * SURFMINK__TILES) {
+    for (first = 1; first <= job->max_rank && g->good > 0; first += 3 * SURFMINK__TILES) {
         tiles = job->max_rank - first < 3 * SURFMINK__TILES ? (job->max_rank - first) / 3 + 1 : SURFMINK__TILES;
         for (tile = 0; tile < tiles; ++tile)
             for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile].g[k] = 0;
@@ -1558,7 +1560,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
         for (tile = 0; tile < tiles; ++tile) {
             for (k = 0; k < 6 * SURFMINK__LANES; ++k)
                 if (k % SURFMINK__LANES) sum[tile].g[k - k % SURFMINK__LANES] += sum[tile].g[k];
-            SURFMINK__(write_ranks)(job, g, t, sum + tile, first + 3 * tile);
+            SURFMINK__(write_ranks)(job, t, g, sum + tile, first + 3 * tile);
         }
     }
 }
@@ -1572,38 +1574,44 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
     SURFMINK__(totals) t;
     SURFMINK__(group) g;
     const size_t *offset = job->offset + first;
-    size_t place[SURFMINK__ROWS + 2] = {0}, order[SURFMINK__WINDOW], i, n, lane, at;
+    size_t place[SURFMINK__ROWS + 2] = {0}, order[SURFMINK__WINDOW], i, n, lane, at, fitting;
     for (i = 0; i < count; ++i) {
         n = offset[i + 1] - offset[i];
-        left[i] = offset[i + 1] < offset[i] || n < 3;
-        if (!left[i] && n <= SURFMINK__ROWS) ++place[n + 1];
+        left[i] = 0;
+        if (offset[i + 1] < offset[i] || n < 3)
+            left[i] = 1;
+        else
+            ++place[n <= SURFMINK__ROWS ? n : SURFMINK__ROWS + 1];
     }
-    for (n = 1; n < SURFMINK__ROWS + 2; ++n) place[n] += place[n - 1];
+    for (n = 3, at = 0; n < SURFMINK__ROWS + 2; ++n) {
+        fitting = at;
+        at += place[n];
+        place[n] = fitting; /* of those with fewer corners */
+    }
     for (i = 0; i < count; ++i) {
         n = offset[i + 1] - offset[i];
-        if (!left[i] && n <= SURFMINK__ROWS) order[place[n]++] = i;
+        if (!left[i]) order[place[n <= SURFMINK__ROWS ? n : SURFMINK__ROWS + 1]++] = i;
     }
     g.strips = 0;
-    for (at = 0; at < place[SURFMINK__ROWS]; at += SURFMINK__LANES) {
-        g.used = place[SURFMINK__ROWS] - at < SURFMINK__LANES ? place[SURFMINK__ROWS] - at : SURFMINK__LANES;
+    for (i = 0; i < fitting; i += SURFMINK__LANES) {
+        g.used = fitting - i < SURFMINK__LANES ? fitting - i : SURFMINK__LANES;
         for (lane = 0; lane < SURFMINK__LANES; ++lane) {
-            i = order[at + (lane < g.used ? lane : 0)];
-            g.outline[lane] = first + i;
-            g.base[lane] = g.start[lane] = offset[i];
-            g.size[lane] = g.count[lane] = offset[i + 1] - offset[i];
+            n = order[i + (lane < g.used ? lane : 0)];
+            g.outline[lane] = first + n;
+            g.base[lane] = g.start[lane] = offset[n];
+            g.size[lane] = g.count[lane] = offset[n + 1] - offset[n];
             t.expected[lane] = (double)(ptrdiff_t)g.count[lane];
         }
         g.rows = g.count[g.used - 1];
         SURFMINK__(measure_short)(job, &g, &r, &t);
-        for (lane = 0; lane < g.used; ++lane) left[g.outline[lane] - first] = !(t.sum[SURFMINK__GOOD][lane] > 0);
+        for (lane = 0; lane < g.used && g.good < g.used; ++lane)
+            left[g.outline[lane] - first] = !(t.sum[SURFMINK__GOOD][lane] > 0);
     }
     g.strips = 1;
-    for (i = 0; i < count; ++i) {
-        n = offset[i + 1] - offset[i];
-        if (left[i] || n <= SURFMINK__ROWS) continue;
-        SURFMINK__(cut)(job, first + i, n, &g, &r, &t);
+    for (i = fitting; i < at; ++i) {
+        SURFMINK__(cut)(job, first + order[i], &g, &r, &t);
         SURFMINK__(measure_long)(job, &g, &r, &t);
-        left[i] = !(t.sum[SURFMINK__GOOD][0] > 0);
+        left[order[i]] = g.good == 0;
     }
 }
 
