@@ -1,4 +1,4 @@
-/* surfmink.h - v0.1.0 - surface Minkowski tensors of closed curves - MIT or public domain, as you like (end of file)
+/* surfmink.h - v0.2.0 - surface Minkowski tensors of closed curves - MIT or public domain, as you like (end of file)
 
    One header, C99 and C++, only libm, no allocation, no global state.
 
@@ -24,6 +24,7 @@
        3 integrate  irreducible components g_p, p = 0..P         the full tensors W_1^p from them
        4 spectrum   lambda_p, mu_p, eigenvector angles theta     eigenvectors in the plane or in space
      surfmink_measure_* walks through all four; everything after step 1 knows only l_i and alpha_i, not the surface.
+     surfmink_batch_* does so for many outlines at once, with the vector instructions of the machine.
 
    CONVENTIONS
      corner x_i     x_0 .. x_{n-1}, counter-clockwise about the outer normal, the first not repeated at the end
@@ -53,30 +54,47 @@
      SURFMINK_STATIC     private copy in this file; may be used in several files at once
      SURFMINK_DEF        prefix of every public function, e.g. __declspec(dllexport)
      SURFMINK_SIN, SURFMINK_COS, SURFMINK_ATAN2, SURFMINK_SQRT
-                         replacements for libm; with all four defined <math.h> is not included
+                         replacements for libm; with all four defined <math.h> is not included. Batches in vector
+                         instructions need no libm and do not use them
+     SURFMINK_DISPATCH   batches ask the processor for AVX-512 or AVX2 with FMA (gcc and clang on x86-64). Otherwise
+                         they use what the compiler may: SSE2, AVX2 with -mavx2 -mfma, AVX-512 with -march=..., NEON on
+                         arm64
+     SURFMINK_NO_SIMD    batches in plain C: other compilers and freestanding builds have no other. About a third as
+                         fast
+     SURFMINK_FILE       "surfmink.h": the name under which the implementation includes itself, once for each set of
+                         vector instructions. Only if you rename the file; with SURFMINK_NO_SIMD it does not
+     -fopenmp            batches use all cores
      Including the file again, with or without SURFMINK_IMPLEMENTATION, does nothing twice.
 
    ACCURACY
      Of L and areas 1e-15 relative at any size of the outline, of mu_p and p theta_p (p <= 12) a few 1e-15 times c, off
      the plane times c^2, c = (sum |alpha_i| + |2 pi - S|) / S: near 1 for most outlines, more where one winds a lot or
-     encloses a curvature near 2 pi. On the sphere S is off by 1e-16 a corner: at 1e5 corners it shows.
+     encloses a curvature near 2 pi. S is 2 pi in the plane and, where a fan of triangles within 60 degrees covers the
+     outline, 2 pi - area / R^2 on the sphere; elsewhere a sum of turns, off by 1e-16 a corner: at 1e5 corners it shows.
      tests/test_reference.c holds them against 50-digit values, tests/accuracy against quadruple precision: on cells of
      size 1e-12, corners off the sphere, edges steep against the tangent plane, needles, spikes, 1e7 corners.
      Angles come from differences of corners and atan2, never arccos; long sums are compensated.
+     Single calls and batches share their formulas. Outlines that are ordinary go through them as they are; others
+     (extreme units, spikes, steep or very long edges, S near 0, all that is refused) are measured corner by corner with
+     more care.
 
    DETERMINISM
-     The same binary gives the same bits, whatever the thread or the locale. Different compilers may round differently
-     where they fuse a*b+c (-ffp-contract=off forbids it) or where libm differs. -ffast-math keeps finite results good
+     The same binary gives the same bits, whatever the thread or the locale, and in a batch whatever the other outlines
+     and the number of threads. Different compilers may round differently where they fuse a*b+c (-ffp-contract=off
+     forbids it) or where libm differs. Batches differ from single calls, and sets of vector instructions from each
+     other, by less than 1e-14 (1 + c)^2 in mu_p and g_p / L, p <= 12 (tests/test_batch.c): with SURFMINK_DISPATCH
+     results depend that much on the processor. AVX2 and AVX-512 agree to the bit. -ffast-math keeps finite results good
      to 1e-12 but lets NaN and infinity pass unrefused, and removes the compensation of long sums.
 
    HISTORY
+     0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
      0.1.0  the four steps, the four kinds of surfaces, transports, tensors, helpers */
 #ifndef SURFMINK_H
 #define SURFMINK_H
 
-#define SURFMINK_VERSION       "0.1.0"
+#define SURFMINK_VERSION       "0.2.0"
 #define SURFMINK_VERSION_MAJOR 0
-#define SURFMINK_VERSION_MINOR 1
+#define SURFMINK_VERSION_MINOR 2
 #define SURFMINK_VERSION_PATCH 0
 
 #include <stddef.h> /* size_t, ptrdiff_t */
@@ -161,7 +179,7 @@ enum surfmink_transport {
    Errors: TOO_FEW_CORNERS, NOT_FINITE, COINCIDENT_CORNERS, CLOCKWISE, CROSSES_ITSELF (S is not 2 pi), BAD_ARGUMENT.
    An exact spike (the outline runs back on itself) has a turn of pi without a sign: it counts as +pi, a whisker that
    sticks out. One that sticks in is refused as CROSSES_ITSELF.
-   Cost: O(n P) time, 3 KiB of stack. Paper 3.3, eq. (integrated-components-polygon), with the turn of section 3. */
+   Cost: O(n P) time, 10 KiB of stack. Paper 3.3, eq. (integrated-components-polygon), with the turn of section 3. */
 SURFMINK_DEF int surfmink_measure_plane(const double *corner, size_t n, int max_rank, double *mu, double *g,
                                         surfmink_functionals *w, size_t *bad);
 
@@ -209,18 +227,18 @@ typedef struct surfmink_results {
     double *theta;   /* P + 1 an outline, as surfmink_spectrum; about as much work as all of g */
 } surfmink_results;
 
-/* Measures many outlines in one call: surfmink_measure_* for each, several times as fast.
+/* Measures many outlines in one call: surfmink_measure_* for each, but several at once in vector instructions.
    corner, normal, radius, max_rank  as surfmink_measure_*; the corners of all outlines, one outline after the other
    offset    count+1  outline i has the corners offset[i] .. offset[i+1] - 1
    count              number of outlines
    out                of a refused outline only status and bad are written
-   scratch            2 doubles for each corner before offset[count], to work in; or NULL: then outlines of more than 64
-                      corners are measured twice, which costs them half as much again
+   scratch            2 doubles for each corner before offset[count], to work in; or NULL: then edges of outlines with
+                      more than 64 corners are measured twice (in the plane they are anyway). No bit depends on it
    returns            how many outlines were refused: 0 if all is well
    Errors: each outline has its own, as in surfmink_measure_*; all have BAD_ARGUMENT if max_rank or radius is bad, and
    so has one whose offsets fall.
    An outline's results do not depend on the others nor on the number of threads. They differ from those of
-   surfmink_measure_* by rounding. Cost: O(corners P), 45 KiB of stack. */
+   surfmink_measure_* by rounding. Cost: O(corners P), 50 KiB of stack, no libm; in docs/performance.md in figures. */
 SURFMINK_DEF size_t surfmink_batch_plane(const double *corner, const size_t *offset, size_t count, int max_rank,
                                          const surfmink_results *out, double *scratch);
 SURFMINK_DEF size_t surfmink_batch_sphere(const double *corner, const size_t *offset, size_t count, double radius,
@@ -445,8 +463,8 @@ static const double surfmink__pi = 3.14159265358979323846;
 static const double surfmink__two_pi = 6.28318530717958647693;
 static const double surfmink__eps = 2.220446049250313e-16; /* distance from 1 to the next double */
 
-/* Rows of corners that are worked on at a time, and ranks (three times this) that are summed in one pass over them: they
-   stay in the first-level cache. Outlines of a batch that are sorted together. */
+/* Rows of corners that are worked on at a time, and ranks (three times this) that are summed in one pass over them:
+   they stay in the first-level cache. Outlines of a batch that are sorted together. */
 #define SURFMINK__ROWS   64
 #define SURFMINK__TILES  8
 #define SURFMINK__WINDOW 64
@@ -1003,8 +1021,8 @@ SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) * r, size_t rows
     }
 }
 
-/* The plane needs no angles: z_i = exp(i f_i) is the direction of edge i against that of edge 0, and S is 2 pi times the
-   number of times that the direction of the edges passes the x axis, to the left less to the right. */
+/* The plane needs no angles: z_i = exp(i f_i) is the direction of edge i against that of edge 0, and S is 2 pi times
+   the number of times that the direction of the edges passes the x axis, to the left less to the right. */
 SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) * r, size_t rows, const double *first, size_t stride,
                                               SURFMINK__(totals) * t)
 {
@@ -1141,8 +1159,8 @@ SURFMINK__KERNEL void SURFMINK__(raise)(double *w_re, double *w_im, const double
     }
 }
 
-/* Sums w = l z^p over the rows for three ranks on end, which is what 16 registers hold; w is left at the rank after them
-   if there are more to come.
+/* Sums w = l z^p over the rows for three ranks on end, which is what 16 registers hold; w is left at the rank after
+   them if there are more to come.
    g  6 lanes  out: real and imaginary parts, rank by rank */
 SURFMINK__INLINE void SURFMINK__(three_ranks)(double *w_re, double *w_im, const double *z_re, const double *z_im,
                                               size_t rows, int more, double *g)
@@ -1230,13 +1248,14 @@ typedef struct SURFMINK__(group) {
     size_t strips;                                      /* one outline or several? */
 } SURFMINK__(group);
 
-/* Where the corners of a lane stand: the one before the rows at hand, the rows themselves, and what comes behind them. */
+/* Where the corners of a lane stand: the one before the rows at hand, the rows themselves, and what comes behind them.
+   */
 typedef struct SURFMINK__(run) {
     size_t before, at, count, behind;
 } SURFMINK__(run);
 
-/* One row of two neighbouring lanes; of the one lane, where batches have to be ordinary as they are but a single outline
-   is made so. */
+/* One row of two neighbouring lanes; of the one lane, where batches have to be ordinary as they are but a single
+   outline is made so. */
 SURFMINK__INLINE void SURFMINK__(put)(double a, double b, double scale, double *at)
 {
 #if SURFMINK__GANG == 2
@@ -1312,9 +1331,9 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
     SURFMINK__(angles)(r, rows, t);
 }
 
-/* Which lanes are ordinary, so that these results stand: t->good becomes 1 or 0. The rest is left to the calls that look
-   at each corner. S is what the surface says it is: 2 pi in the plane, 2 pi - area on the sphere, which has more digits
-   than a sum of rounded turns. Phases go by the sum, for that closes. */
+/* Which lanes are ordinary, so that these results stand: t->good becomes 1 or 0. The rest is left to the calls that
+   look at each corner. S is what the surface says it is: 2 pi in the plane, 2 pi - area on the sphere, which has more
+   digits than a sum of rounded turns. Phases go by the sum, for that closes. */
 SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(totals) * t)
 {
     surfmink__real length, turning, area, known;
@@ -1520,8 +1539,8 @@ SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, size_t outline, 
     }
 }
 
-/* Outlines with more corners than there are rows, in strips: once over them for S, which every phase needs, and once for
-   each 24 ranks. */
+/* Outlines with more corners than there are rows, in strips: once over them for S, which every phase needs, and once
+   for each 24 ranks. */
 SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMINK__(group) * g, SURFMINK__(rows) * r,
                                                SURFMINK__(totals) * t)
 {
@@ -1565,8 +1584,8 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
     }
 }
 
-/* Outlines first .. first + count - 1 of a batch, at most SURFMINK__WINDOW. Those that fit are sorted by their number of
-   corners, so that the lanes of a group are of like length.
+/* Outlines first .. first + count - 1 of a batch, at most SURFMINK__WINDOW. Those that fit are sorted by their number
+   of corners, so that the lanes of a group are of like length.
    left  count  out: 1 where nothing was written because the outline is not ordinary */
 SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first, size_t count, unsigned char *left)
 {
@@ -2296,8 +2315,8 @@ static int surfmink__judge_sphere(const surfmink__outline *o, double turned, sur
     return status;
 }
 
-/* The Minkowski functionals of an outline that has passed surfmink__check, or what is wrong with it as a whole. S is what
-   the surface says it is; the plain sum of the turns is for the phases, which close with it. */
+/* The Minkowski functionals of an outline that has passed surfmink__check, or what is wrong with it as a whole. S is
+   what the surface says it is; the plain sum of the turns is for the phases, which close with it. */
 static int surfmink__functionals(const surfmink__outline *o, surfmink_functionals *w, double *sum)
 {
     double turned;

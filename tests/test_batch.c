@@ -1536,6 +1536,34 @@ THEOREM(the_sphere_is_an_embedded_surface_up_to_lengths)
     }
 }
 
+#ifdef SURFMINK__DISPATCHES
+/* Both have fused multiply-add and eight lanes; what stands in one register or in two is no matter. */
+THEOREM(avx2_and_avx512_agree_to_the_bit)
+{
+    static const int avx2 = 3, avx512 = 4; /* in instance_of */
+    int surface;
+    if (!can_run(avx2) || !can_run(avx512)) return;
+    for (surface = 0; surface < SURFACES; ++surface) {
+        size_t i;
+        bundle b;
+        answers a[2];
+        mixed_bundle(&b, (enum surface)surface, MIXED, 227);
+        on_trial = avx2;
+        measure(&b, &a[0], WITH_SCRATCH);
+        on_trial = avx512;
+        measure(&b, &a[1], WITH_SCRATCH);
+        for (i = 0; i < b.count; ++i) {
+            CASE("%s, outline %lu of %lu corners", surface_name[surface], (unsigned long)i,
+                 (unsigned long)corners_of(&b, i));
+            check_same(&a[1], i, &a[0], i);
+        }
+        answers_close(&a[0]);
+        answers_close(&a[1]);
+        bundle_close(&b);
+    }
+}
+#endif
+
 static void prove_all(void)
 {
     PROVE(in_the_plane_a_batch_says_what_single_calls_say);
@@ -1570,5 +1598,8 @@ int main(void)
             prove_all();
         else
             NOTE("%s: not for this machine", instance_name(on_trial));
+#ifdef SURFMINK__DISPATCHES
+    PROVE(avx2_and_avx512_agree_to_the_bit);
+#endif
     return QED();
 }
