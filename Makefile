@@ -65,6 +65,8 @@ test: all $(theorems)
 
 accuracy:
 	@mkdir -p $(BUILD)
+	gcc -O2 -I. tests/accuracy/kernels.c -o $(BUILD)/kernels -lquadmath -lm
+	$(BUILD)/kernels
 	gcc -O2 -I. tests/accuracy/accuracy.c -o $(BUILD)/accuracy -lquadmath -lm
 	$(BUILD)/accuracy --polygons $(POLYGONS)
 

@@ -4,6 +4,10 @@
      ./accuracy --polygons 100000                                        a table for each surface, the worst witness
      ./accuracy --repeat sphere/needle 12345                             one polygon again, all its figures
 
+   Each polygon is measured by a single call and as a batch by every instance of the kernels that this machine can run;
+   what stands beside it in a batch is nothing to it, so batches of one do. What the kernels leave to the single call
+   is judged there alone. The table of generators shows the worst of all.
+
    The reference below shares nothing with surfmink.h: it knows directions of edges as angles in a frame of the tangent
    plane and turns as their differences, areas on the sphere through stereographic projection. Corners are doubles and
    taken as exact; polygons that surfmink refuses are counted, not judged.
@@ -13,6 +17,7 @@
    and phases of up to 2 pi c are multiples of 1 / S: there it takes (1 + c)^2. Areas are judged against how much their
    triangles cancel. The exit status is 1 if one of the limits in `quantity` is exceeded. */
 #define SURFMINK_STATIC
+#define SURFMINK_DISPATCH /* all instances in one program */
 #include "surfmink.h"
 
 #if !defined(__SIZEOF_FLOAT128__) || (defined(__has_include) && !__has_include(<quadmath.h>))
@@ -384,7 +389,7 @@ static void make_polygon(polygon *o, enum surface surface, int which, uint64_t s
 
 typedef struct measured {
     quad length, turning, turned, area, area_terms;
-    quad re[MAX_RANK + 1], im[MAX_RANK + 1];
+    quad mu[MAX_RANK + 1], angle[MAX_RANK + 1];
     int spike;   /* a turn of -pi up to rounding, which is to count as +pi */
     int crosses; /* S and area contradict each other: the area is not defined */
 } measured;
@@ -508,7 +513,7 @@ static void refer_sphere(const polygon *o, measured *m)
 
 static void refer(const polygon *o, measured *m)
 {
-    quad phase = 0, re, im, c, s, t;
+    quad phase = 0, g_re[MAX_RANK + 1] = {0}, g_im[MAX_RANK + 1] = {0}, re, im, c, s, t;
     size_t i;
     int p;
     memset(m, 0, sizeof *m);
@@ -525,19 +530,19 @@ static void refer(const polygon *o, measured *m)
         if (i > 0) phase += edge_turn[i];
         sincosq(2 * M_PIq / m->turning * phase, &s, &c);
         for (re = edge_length[i], im = 0, p = 0; p <= MAX_RANK; ++p) {
-            m->re[p] += re;
-            m->im[p] += im;
+            g_re[p] += re;
+            g_im[p] += im;
             t = re * c - im * s;
             im = re * s + im * c;
             re = t;
         }
     }
+    for (p = 0; p <= MAX_RANK; ++p) {
+        m->mu[p] = hypotq(g_re[p], g_im[p]) / m->length;
+        m->angle[p] = atan2q(g_im[p], g_re[p]);
+    }
     if (o->surface != SPHERE) return;
     m->length *= o->radius;
-    for (p = 0; p <= MAX_RANK; ++p) {
-        m->re[p] *= o->radius;
-        m->im[p] *= o->radius;
-    }
     m->area += 4 * M_PIq * rintq((2 * M_PIq - m->turning - m->area) / (4 * M_PIq)); /* the fan knows it modulo 4 pi */
     m->crosses = fabsq(2 * M_PIq - m->turning - m->area) > 1;
     m->area *= (quad)o->radius * o->radius;
@@ -546,59 +551,135 @@ static void refer(const polygon *o, measured *m)
 
 /* --- the comparison ----------------------------------------------------------------------------------------------- */
 
+enum { SPIKE = -1, LEFT = -2 }; /* not judged: see measured.spike; the kernels leave it to the single call */
+
 typedef struct verdict {
     int status;
     double condition, error[QUANTITIES], judged[QUANTITIES]; /* as it is; against its limit's measure */
 } verdict;
 
-static int measure(const polygon *o, double *mu, double *g, surfmink_functionals *w)
+/* A NaN is the worst of all. */
+static int is_worse(double error, double than)
 {
-    if (o->surface == PLANE) return surfmink_measure_plane(o->corner, o->n, MAX_RANK, mu, g, w, NULL);
-    if (o->surface == SPHERE) return surfmink_measure_sphere(o->corner, o->n, o->radius, MAX_RANK, mu, g, w, NULL);
-    return surfmink_measure_embedded(o->corner, o->normal, o->n, MAX_RANK, mu, g, w, NULL);
+    return than == than && !(error <= than);
 }
 
-static void judge(const polygon *o, verdict *v, int show)
+static double worse(double a, double b)
 {
-    static measured m;
-    double mu[MAX_RANK + 1], g[2 * MAX_RANK + 2], theta[MAX_RANK + 1], off, allowed;
-    quad want, angle;
-    surfmink_functionals w;
+    return is_worse(b, a) ? b : a;
+}
+
+/* Ways to measure an outline: a single call, or batches by one of the instances of the kernels. */
+static const struct {
+    const char *name;
+    surfmink__measure_window *window;
+} way_of[] = {
+    {"single", NULL},
+    {"plain", surfmink__window},
+#if SURFMINK__NATIVE == SURFMINK__SSE2
+    {"sse2", surfmink__window_sse2},
+#endif
+#if SURFMINK__NATIVE == SURFMINK__AVX2 || defined(SURFMINK__DISPATCHES)
+    {"avx2", surfmink__window_avx2},
+#endif
+#if SURFMINK__NATIVE == SURFMINK__AVX512 || defined(SURFMINK__DISPATCHES)
+    {"avx512", surfmink__window_avx512},
+#endif
+};
+enum { WAYS = sizeof way_of / sizeof *way_of };
+
+static int can_run(int way)
+{
+#ifdef SURFMINK__DISPATCHES
+    if (way_of[way].window == surfmink__window_avx2)
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (way_of[way].window == surfmink__window_avx512)
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+#endif
+    (void)way;
+    return 1;
+}
+
+static int measure_single(const polygon *o, double *mu, double *theta, surfmink_functionals *w)
+{
+    double g[2 * MAX_RANK + 2];
+    int status;
+    if (o->surface == PLANE)
+        status = surfmink_measure_plane(o->corner, o->n, MAX_RANK, mu, g, w, NULL);
+    else if (o->surface == SPHERE)
+        status = surfmink_measure_sphere(o->corner, o->n, o->radius, MAX_RANK, mu, g, w, NULL);
+    else
+        status = surfmink_measure_embedded(o->corner, o->normal, o->n, MAX_RANK, mu, g, w, NULL);
+    if (status == SURFMINK_OK) surfmink_spectrum(g, MAX_RANK, NULL, NULL, theta);
+    return status;
+}
+
+static int measure(int way, const polygon *o, double *mu, double *theta, surfmink_functionals *w)
+{
+    static const enum surfmink__kind kind[SURFACES] = {SURFMINK__PLANE, SURFMINK__SPHERE, SURFMINK__EMBEDDED};
+    size_t offset[2] = {0, o->n};
+    unsigned char left;
+    surfmink_results out = {NULL, NULL, &w->length, &w->turning, &w->area, mu, NULL, theta};
+    surfmink__job job =
+        surfmink__job_of(kind[o->surface], o->corner, o->normal, o->radius, offset, MAX_RANK, &out, NULL);
+    if (!way_of[way].window) return measure_single(o, mu, theta, w);
+    way_of[way].window(&job, 0, 1, &left);
+    return left ? LEFT : SURFMINK_OK;
+}
+
+static void compare(const polygon *o, const measured *m, const double *mu, const double *theta,
+                    const surfmink_functionals *w, verdict *v)
+{
+    double allowed;
     int p, q;
-    memset(v, 0, sizeof *v);
-    if ((v->status = measure(o, mu, g, &w)) != SURFMINK_OK) return;
-    refer(o, &m);
-    if (m.spike) {
-        v->status = -1;
-        return;
-    }
-    surfmink_spectrum(g, MAX_RANK, NULL, NULL, theta);
-    v->condition = (double)((m.turned + fabsq(2 * M_PIq - m.turning)) / m.turning);
-    v->error[LENGTH] = v->judged[LENGTH] = (double)fabsq(w.length / m.length - 1);
-    v->error[TURNING] = (double)fabsq(w.turning - m.turning);
-    v->judged[TURNING] = v->error[TURNING] / (double)(m.turned + fabsq(2 * M_PIq - m.turning));
-    if (o->surface != EMBEDDED && !m.crosses && m.area_terms > 1e-280Q &&
-        m.area_terms < 1e300Q) { /* else it has no double */
-        v->error[AREA] = (double)fabsq(w.area / m.area - 1);
-        v->judged[AREA] = (double)(fabsq(w.area - m.area) / m.area_terms);
+    v->condition = (double)((m->turned + fabsq(2 * M_PIq - m->turning)) / m->turning);
+    v->error[LENGTH] = v->judged[LENGTH] = (double)fabsq(w->length / m->length - 1);
+    v->error[TURNING] = (double)fabsq(w->turning - m->turning);
+    v->judged[TURNING] = v->error[TURNING] / (double)(m->turned + fabsq(2 * M_PIq - m->turning));
+    if (o->surface != EMBEDDED && !m->crosses && m->area_terms > 1e-280Q &&
+        m->area_terms < 1e300Q) { /* else it has no double */
+        v->error[AREA] = (double)fabsq(w->area / m->area - 1);
+        v->judged[AREA] = (double)(fabsq(w->area - m->area) / m->area_terms);
     }
     for (p = 0; p <= MAX_RANK; ++p) {
-        want = hypotq(m.re[p], m.im[p]) / m.length;
-        angle = atan2q(m.im[p], m.re[p]);
-        off = (double)fabsq(mu[p] - want);
-        if (!(off <= v->error[MU])) v->error[MU] = off;
-        off = (double)(want * fabsq(remainderq(p * (quad)theta[p] - angle, 2 * M_PIq)));
-        if (!(off <= v->error[ANGLE])) v->error[ANGLE] = off;
-        if (show)
-            printf("mu_%-2d  %.17g  want %.17g\np theta %.17g  want %.17g\n", p, mu[p], (double)want, p * theta[p],
-                   (double)angle);
+        v->error[MU] = worse(v->error[MU], (double)fabsq(mu[p] - m->mu[p]));
+        v->error[ANGLE] =
+            worse(v->error[ANGLE], (double)(m->mu[p] * fabsq(remainderq(p * (quad)theta[p] - m->angle[p], 2 * M_PIq))));
     }
     allowed = o->surface == PLANE ? 1 + v->condition : (1 + v->condition) * (1 + v->condition);
     for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / allowed;
-    if (!show) return;
-    printf("L      %.17g  want %.17g\nS      %.17g  want %.17g\n", w.length, (double)m.length, w.turning,
-           (double)m.turning);
-    printf("area   %.17g  want %.17g\ncurvature %.17g\n", w.area, (double)m.area, w.curvature);
+}
+
+static void show_results(const measured *m, const double *mu, const double *theta, const surfmink_functionals *w)
+{
+    int p;
+    for (p = 0; p <= MAX_RANK; ++p)
+        printf("mu_%-2d  %.17g  want %.17g\np theta %.17g  want %.17g\n", p, mu[p], (double)m->mu[p], p * theta[p],
+               (double)m->angle[p]);
+    printf("L      %.17g  want %.17g\nS      %.17g  want %.17g\narea   %.17g  want %.17g\n", w->length,
+           (double)m->length, w->turning, (double)m->turning, w->area, (double)m->area);
+}
+
+/* A verdict on each way to measure a polygon. */
+static void judge(const polygon *o, verdict v[WAYS], int show)
+{
+    static measured m;
+    double mu[MAX_RANK + 1], theta[MAX_RANK + 1];
+    surfmink_functionals w;
+    int way, referred = 0;
+    for (way = 0; way < WAYS; ++way) {
+        memset(v + way, 0, sizeof *v);
+        if (!can_run(way)) continue;
+        v[way].status = measure(way, o, mu, theta, &w);
+        if (v[way].status != SURFMINK_OK) continue;
+        if (!referred++) refer(o, &m);
+        if (show) printf("%s\n", way_of[way].name);
+        if (show) show_results(&m, mu, theta, &w);
+        if (m.spike)
+            v[way].status = SPIKE;
+        else
+            compare(o, &m, mu, theta, &w, v + way);
+    }
 }
 
 typedef struct worst {
@@ -610,7 +691,7 @@ typedef struct worst {
 
 static void keep_worst(worst *w, const verdict *v, int q, const polygon *o, int which, uint64_t seed)
 {
-    if (v->judged[q] <= w->judged) return; /* a NaN is the worst of all */
+    if (!is_worse(v->judged[q], w->judged)) return;
     w->judged = v->judged[q];
     w->error = v->error[q];
     w->condition = v->condition;
@@ -623,10 +704,10 @@ static void keep_worst(worst *w, const verdict *v, int q, const polygon *o, int 
 static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t master)
 {
     static worst all[GENERATORS][QUANTITIES];
-    worst top[QUANTITIES];
-    uint64_t accepted = 0, refused = 0, spikes = 0, k, seed;
-    verdict v;
-    int q, i, failed = 0;
+    worst top[WAYS][QUANTITIES];
+    uint64_t measured_by[WAYS] = {0}, refused = 0, spikes = 0, otherwise = 0, k, seed;
+    verdict v[WAYS];
+    int q, i, way, failed = 0;
     memset(all, 0, sizeof all);
     memset(top, 0, sizeof top);
     for (k = 0; k < polygons; ++k) {
@@ -634,17 +715,27 @@ static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t 
         seed = next_seed() >> 16; /* short enough to be typed */
         i = (int)(k % GENERATORS);
         make_polygon(o, surface, i, seed);
-        judge(o, &v, 0);
-        accepted += v.status == SURFMINK_OK;
-        refused += v.status > 0;
-        spikes += v.status < 0;
-        for (q = 0; v.status == SURFMINK_OK && q < QUANTITIES; ++q) {
-            keep_worst(&all[i][q], &v, q, o, i, seed);
-            keep_worst(&top[q], &v, q, o, i, seed);
+        judge(o, v, 0);
+        refused += v[0].status > 0;
+        spikes += v[0].status == SPIKE;
+        for (way = 0; way < WAYS; ++way) {
+            if (!can_run(way)) continue;
+            measured_by[way] += v[way].status == SURFMINK_OK;
+            if (v[way].status != LEFT && v[way].status != v[0].status && !otherwise++)
+                printf("%s takes what the single call refuses: --repeat %s/%s %lu  ABOVE ITS LIMIT\n", way_of[way].name,
+                       surface_name[surface], generator[i].name, (unsigned long)seed);
+            for (q = 0; v[way].status == SURFMINK_OK && q < QUANTITIES; ++q) {
+                keep_worst(&all[i][q], v + way, q, o, i, seed);
+                keep_worst(&top[way][q], v + way, q, o, i, seed);
+            }
         }
     }
     printf("%s: %lu polygons measured, %lu refused, %lu with a turn of -pi up to rounding left out\n",
-           surface_name[surface], (unsigned long)accepted, (unsigned long)refused, (unsigned long)spikes);
+           surface_name[surface], (unsigned long)measured_by[0], (unsigned long)refused, (unsigned long)spikes);
+    printf("measured by the kernels:");
+    for (way = 1; way < WAYS; ++way)
+        if (can_run(way)) printf(" %s %lu", way_of[way].name, (unsigned long)measured_by[way]);
+    printf("; %lu refused by the single call\n", (unsigned long)otherwise);
     for (q = 0; q < QUANTITIES; ++q) printf("%10s", quantity[q].name);
     printf("\n");
     for (i = 0; i < GENERATORS; ++i) {
@@ -653,31 +744,42 @@ static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t 
     }
     for (q = 0; q < QUANTITIES; ++q) {
         if (surface == EMBEDDED && q == AREA) continue;
-        printf("%-6s %.2g (%s; as it is %.2g, condition %.2g): --repeat %s/%s %lu, n %lu, size %.2g%s\n",
-               quantity[q].name, top[q].judged, quantity[q].meaning, top[q].error, top[q].condition,
-               surface_name[surface], generator[top[q].generator].name, (unsigned long)top[q].seed,
-               (unsigned long)top[q].n, top[q].size, top[q].judged <= quantity[q].limit ? "" : "  ABOVE ITS LIMIT");
-        failed += !(top[q].judged <= quantity[q].limit);
+        printf("%s (%s), limit %.2g\n", quantity[q].name, quantity[q].meaning, quantity[q].limit);
+        for (way = 0; way < WAYS; ++way) {
+            const worst *w = &top[way][q];
+            int above = !(w->judged <= quantity[q].limit);
+            if (!can_run(way)) continue;
+            printf("  %-6s %.2g (as it is %.2g, condition %.2g): --repeat %s/%s %lu, n %lu, size %.2g%s\n",
+                   way_of[way].name, w->judged, w->error, w->condition, surface_name[surface],
+                   generator[w->generator].name, (unsigned long)w->seed, (unsigned long)w->n, w->size,
+                   above ? "  ABOVE ITS LIMIT" : "");
+            failed += above;
+        }
     }
     printf("\n");
-    return failed;
+    return failed + (otherwise > 0);
 }
 
 static int repeat(polygon *o, const char *name, uint64_t seed)
 {
     char full[100];
-    verdict v;
-    int surface, i, q;
+    verdict v[WAYS];
+    int surface, i, q, way;
     for (surface = 0; surface < SURFACES; ++surface)
         for (i = 0; i < (int)GENERATORS; ++i) {
             snprintf(full, sizeof full, "%s/%s", surface_name[surface], generator[i].name);
             if (strcmp(full, name) != 0) continue;
             make_polygon(o, (enum surface)surface, i, seed);
-            judge(o, &v, 1);
-            printf("n %lu, size %.3g, status %d, condition %.3g\n", (unsigned long)o->n, o->size, v.status,
-                   v.condition);
-            for (q = 0; q < QUANTITIES; ++q)
-                printf("error of %-6s %.3g, judged %.3g\n", quantity[q].name, v.error[q], v.judged[q]);
+            judge(o, v, 1);
+            printf("n %lu, size %.3g\n", (unsigned long)o->n, o->size);
+            for (way = 0; way < WAYS; ++way) {
+                if (!can_run(way)) continue;
+                if (v[way].status == LEFT) printf("%s leaves it to the single call\n", way_of[way].name);
+                if (v[way].status == LEFT) continue;
+                printf("%s: status %d, condition %.3g\n", way_of[way].name, v[way].status, v[way].condition);
+                for (q = 0; q < QUANTITIES; ++q)
+                    printf("error of %-6s %.3g, judged %.3g\n", quantity[q].name, v[way].error[q], v[way].judged[q]);
+            }
             for (size_t k = 0; k < o->n && k < 20; ++k) {
                 printf("l %-24.17g alpha %-24.17g", (double)edge_length[k], (double)edge_turn[k]);
                 for (i = 0; i < (surface == PLANE ? 2 : 3); ++i)
