@@ -585,8 +585,9 @@ static double surfmink__value(const surfmink__sum *sum)
 static double surfmink__scale(double m)
 {
     double scale = 1;
-    while (m * scale > 1.2676506002282294e30) scale *= 6.2230152778611417e-61; /* 2^100, 2^-200 */
-    while (m * scale < 7.8886090522101181e-31) scale *= 1.6069380442589903e60; /* 2^-100, 2^200 */
+    int k; /* not for ever, where -ffast-math lets an infinity through */
+    for (k = 0; k < 6 && m * scale > 1.2676506002282294e30; ++k) scale *= 6.2230152778611417e-61;  /* 2^100, 2^-200 */
+    for (k = 0; k < 6 && m * scale < 7.8886090522101181e-31; ++k) scale *= 1.6069380442589903e60; /* 2^-100, 2^200 */
     return scale;
 }
 

@@ -30,7 +30,9 @@ wall_c="$wall -Wstrict-prototypes -Wmissing-prototypes"
 printf '#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n#include "surfmink.h"\n' > "$work/whole.c"
 printf '#define SURFMINK_STATIC\n#include "surfmink.h"\n' > "$work/static.c"
 printf '#include "surfmink.h"\n' > "$work/public.c"
-for unit in whole static public; do
+printf '#define SURFMINK_DISPATCH\n#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n' > "$work/dispatch.c"
+printf '#define SURFMINK_NO_SIMD\n#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n' > "$work/plain.c"
+for unit in whole static public dispatch plain; do
     for std in c89 c99 c11 c17 c2x; do
         check "gcc -std=$std, $unit" "gcc -std=$std $wall_c -Wc++-compat -O2 -I. -c $work/$unit.c -o $work/unit.o"
         check "clang -std=$std, $unit" "clang -std=$std -Weverything -O2 -I. -c $work/$unit.c -o $work/unit.o"
@@ -41,6 +43,12 @@ for unit in whole static public; do
     done
     check "tcc, $unit" "tcc -Wall -I. -c $work/$unit.c -o $work/unit.o"
 done
+for flags in "-O0" "-O3 -march=haswell" "-O3 -march=skylake-avx512" "-O2 -fopenmp" "-Ofast"; do
+    check "gcc $flags" "gcc -std=c99 $wall_c $flags -I. -c $work/whole.c -o $work/unit.o"
+    check "g++ $flags" "g++ -x c++ -std=c++11 $wall $flags -I. -c $work/whole.c -o $work/unit.o"
+    check "clang $flags" "clang -std=c99 -Weverything $flags -I. -c $work/whole.c -o $work/unit.o"
+done
+check "gcc for arm64" "aarch64-linux-gnu-gcc -std=c99 $wall_c -O2 -I. -c $work/whole.c -o $work/unit.o"
 
 # --- what it leaves in a program --------------------------------------------------------------------------------------
 gcc -std=c99 -O2 -I. -c "$work/whole.c" -o "$work/whole.o"
@@ -51,7 +59,7 @@ check "only libm is asked for" "nm -u $work/whole.o | awk '{ print \$2 }' | grep
 gcc -std=c99 -O2 -I. -c "$work/static.c" -o "$work/static.o"
 check "SURFMINK_STATIC exports nothing" "nm -g --defined-only $work/static.o"
 check "only SURFMINK_ macros are defined" "
-    printf '#include <stddef.h>\n#include <math.h>\n' > $work/libc.c
+    printf '#include <stddef.h>\n#include <math.h>\n#include <immintrin.h>\n' > $work/libc.c
     gcc -std=c99 -dM -E $work/libc.c | sort > $work/libc.macros
     gcc -std=c99 -dM -E -I. $work/whole.c | sort | comm -13 $work/libc.macros - | grep -v '^#define SURFMINK_' || true"
 
@@ -122,6 +130,20 @@ theorems tcc
 theorems gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 theorems clang -O1 -g -fsanitize=undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all
 
+# batches: what threads, other instructions and plain C make of them
+for flags in "gcc -O2 -fopenmp" "gcc -O2 -DSURFMINK_NO_SIMD"; do
+    check "$flags, batches" "$flags -std=c99 -I. tests/test_batch.c -o $work/theorem -lm && $(quietly "$work/theorem")"
+done
+for program in test_batch test_measure test_reference; do
+    check "arm64, $program" "aarch64-linux-gnu-gcc -std=c99 -O2 -static -DFEWER=20 -I. tests/$program.c \
+        -o $work/theorem -lm && $(quietly "qemu-aarch64 $work/theorem")"
+done
+for flags in "-O2" "-Ofast -march=native"; do
+    check "gcc $flags, the benchmark: what it compares agrees" "
+        gcc -std=c99 $wall_c $flags -I. tests/bench/bench.c -o $work/bench -lm &&
+        $(quietly "$work/bench --quick --rounds 1 --place cache")"
+done
+
 # --- fuzzing, for a moment: the corpus, and random strings made from it -----------------------------------------------
 for harness in tests/fuzz/*.c; do
     name=$(basename "$harness" .c)
@@ -130,6 +152,8 @@ for harness in tests/fuzz/*.c; do
 done
 
 # --- accuracy, on few polygons ----------------------------------------------------------------------------------------
+check "worst errors of the kernels against quadruple precision" "
+    gcc -std=c99 -O2 -I. tests/accuracy/kernels.c -o $work/kernels -lquadmath -lm && $(quietly "$work/kernels")"
 check "worst errors against quadruple precision" "
     gcc -O2 -I. tests/accuracy/accuracy.c -o $work/accuracy -lquadmath -lm &&
     $(quietly "$work/accuracy --polygons 1000")"
