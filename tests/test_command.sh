@@ -509,6 +509,12 @@ run
 stopped "a zero byte behind a polygon" "-:7: a zero byte"
 check "the polygon has been measured" "$(column id)" a
 
+awk 'BEGIN { print "cell x y"; for (i = 0; i < 9000; ++i) print i " 0 0\n" i " 1 0\n" i " 1 1" }' > in
+printf 'z 0\0 0\n' >> in
+run
+stopped "a zero byte in a later block" "-:27002: a zero byte"
+check "all polygons that ended before it have been measured" "$(tail -n 1 out | cut -f 1)" 8998
+
 # Many polygons, every 400th of them clockwise, then a line that says nothing. Both outputs go to one file.
 awk 'BEGIN { print "cell x y"
              for (i = 1; i <= 5000; ++i)
@@ -528,6 +534,17 @@ awk 'BEGIN { print "cell x y"; step = 6.283185307179586 / 7000
                  for (k = 0; k < 7000; ++k) printf "%d %.17g %.17g\n", i, cos(step * k), sin(step * k) }' > in
 run
 measured "a few polygons of many corners" n "7000 7000 7000 7000 7000"
+
+# Memory grows with the largest polygon, not with the table. (Not all shells and programs can be limited.)
+limited() {
+    (ulimit -v 40000 && exec "$surfmink" --max-rank 12 in) 2> err
+}
+square > in
+if { limited > /dev/null; } 2> /dev/null; then
+    awk 'BEGIN { print "cell x y"; for (i = 0; i < 200000; ++i) print i " 0 0\n" i " 1 0\n" i " 1 1" }' > in
+    limited | tail -n 1 > out
+    check "a long table takes little memory" "$(cut -f 1-3 out) $(cat err)" "$(printf '199999\t3\tok ')"
+fi
 
 # Polygons of one file are measured together, those of many files alone. These have much in common, and many faults.
 awk 'function ring(id, n, turn, east, north, size,   i, a) {

@@ -216,7 +216,7 @@ static product quick_product(const power_of_ten *power, uint64_t w)
     return begin_with(high, middle, 128 + power->exponent);
 }
 
-/* From all of them: m is right. Returns 0 if that would take even more bits to tell. */
+/* From all of them: m is right, or rounded as if it were. Returns 0 if that would take even more bits to tell. */
 static int whole_product(const power_of_ten *power, uint64_t w, product *x)
 {
     uint64_t low, middle, high = multiply(w, power->high, &middle), carry = multiply(w, power->low, &low);
@@ -224,7 +224,7 @@ static int whole_product(const power_of_ten *power, uint64_t w, product *x)
     high += middle < carry;
     *x = begin_with(high, middle, 128 + power->exponent);
     x->more = !power->exact || (high >> 63 ? middle : middle << 1) != 0 || low != 0;
-    return power->exact || (middle | (uint64_t)1 << 63) != UINT64_MAX; /* else what the power lacks may carry into m */
+    return power->exact || middle != UINT64_MAX; /* else what the power lacks may carry into m, to the middle */
 }
 
 /* Without the last bits of m, may x be rounded one way if m is right and another way if m is too small by 1 or 2? */
