@@ -515,18 +515,28 @@ run
 stopped "a zero byte in a later block" "-:27002: a zero byte"
 check "all polygons that ended before it have been measured" "$(tail -n 1 out | cut -f 1)" 8998
 
-# Many polygons, every 400th of them clockwise, then a line that says nothing. Both outputs go to one file.
+# Many polygons, some of them clockwise or with a corner twice, then a line that says nothing. Both outputs go to one
+# file.
 awk 'BEGIN { print "cell x y"
              for (i = 1; i <= 5000; ++i)
-                 print (i % 400 ? i " 0 0\n" i " 1 0\n" i " 1 1" : i " 0 0\n" i " 1 1\n" i " 1 0")
+                 print i (i % 400 ? " 0 0\n" : " 1 1\n") i " 1 0\n" i (i % 300 ? i % 400 ? " 1 1" : " 0 0" : " 1 0")
              print "last 0 0\nlast oops 0" }' > in
 "$surfmink" --max-rank 1 in > out 2>&1
 check "many polygons: exit status" $? 1
 awk 'BEGIN { print "id\tstatus"
-             for (i = 1; i <= 5000; ++i) print i "\t" (i % 400 ? "ok" : "clockwise\nin:" 3 * i - 1)
+             for (i = 1; i <= 5000; ++i)
+                 print i "\t" (i % 300 == 0 ? "coincident_corners\nin:" 3 * i + 1 : \
+                               i % 400 == 0 ? "clockwise\nin:" 3 * i - 1 : "ok")
              print "in:15003" }' > want
 sed 's/^\(in:[0-9]*\):.*/\1/' out | cut -f 1,3 > got
 check "many polygons: rows and complaints keep their order" "$(cmp got want && echo same)" same
+printf 'cell x y\na 0 0\na 1 0\na 1 0\n' > in
+printf 'b %s\n' '0 0' '-1 -1' '-1 3' '3 3' '3 -1' '0 0' '0 2' '2 2' '2 0' >> in
+printf 'c 0 0\nc 0 1\nc 1 0\n' >> in
+run --reverse auto
+check "what is measured again blames nobody else" "$(column status) $(cut -d : -f 2 err | tr '\n' ' ')" \
+    "coincident_corners crosses_itself ok 4 5 "
+awk 'BEGIN { print "cell x y"; for (i = 1; i <= 5000; ++i) print i " 0 0\n" i " 1 0\n" i " 1 1" }' > in
 run --max-rank 250
 check "many polygons, many ranks" "$(tail -n 1 out | cut -f 1-3)" "$(printf '5000\t3\tok')"
 awk 'BEGIN { print "cell x y"; step = 6.283185307179586 / 7000
