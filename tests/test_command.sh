@@ -321,6 +321,9 @@ done
 printf 'cell lon lat\na 0 0\na 1 0\na 1 91\n' > in
 run
 refused "a latitude of 91" bad_argument 4 ": a latitude lies between -90 and 90"
+printf 'cell lon lat\na 0 0\na 0 0\na 1 91\n' > in
+run --merge
+check "what is at fault is not repaired" "$(field 1 n)" 3
 printf 'cell x y\na 0 0\n# here\na 1 0\n\na 1 0\na 1 1\n' > in
 run
 refused "coincident corners" coincident_corners 6 "; --merge drops one of them"
@@ -534,7 +537,7 @@ printf 'cell x y\na 0 0\na 1 0\na 1 0\n' > in
 printf 'b %s\n' '0 0' '-1 -1' '-1 3' '3 3' '3 -1' '0 0' '0 2' '2 2' '2 0' >> in
 printf 'c 0 0\nc 0 1\nc 1 0\n' >> in
 run --reverse auto
-check "what is measured again blames nobody else" "$(column status) $(cut -d : -f 2 err | tr '\n' ' ')" \
+check "what is turned round changes nothing for the others" "$(column status) $(cut -d : -f 2 err | tr '\n' ' ')" \
     "coincident_corners crosses_itself ok 4 5 "
 awk 'BEGIN { print "cell x y"; for (i = 1; i <= 5000; ++i) print i " 0 0\n" i " 1 0\n" i " 1 1" }' > in
 run --max-rank 250
