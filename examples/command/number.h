@@ -152,7 +152,7 @@ static void keep_power(power_of_ten *power, const big *x, int exponent)
 }
 
 /* 10^q = 5^q 2^q. Fives are multiplied to 2^128, or divided off 2^960, of which 165 bits are left in the end. */
-static void prepare_powers(powers_of_ten *powers)
+static inline void prepare_powers(powers_of_ten *powers)
 {
     big x;
     int q;
@@ -508,7 +508,7 @@ static const char *read_word(const char *s, uint64_t *bits)
 }
 
 /* See the top of this file. */
-static const char *read_number(const powers_of_ten *powers, const char *text, double *value)
+static inline const char *read_number(const powers_of_ten *powers, const char *text, double *value)
 {
     const char *s = text, *end = NULL;
     uint64_t bits = 0;
@@ -526,7 +526,7 @@ static const char *read_number(const powers_of_ten *powers, const char *text, do
 }
 
 /* The whole text as a number. */
-static int parse_number(const powers_of_ten *powers, const char *text, double *value)
+static inline int parse_number(const powers_of_ten *powers, const char *text, double *value)
 {
     const char *end = read_number(powers, text, value);
     return end && *end == '\0';
@@ -608,7 +608,7 @@ static char *put_with_exponent(char *to, const char *digit, int n, int place)
 }
 
 /* See the top of this file. */
-static char *write_number(const powers_of_ten *powers, char *text, int digits, double value)
+static inline char *write_number(const powers_of_ten *powers, char *text, int digits, double value)
 {
     char digit[17];
     uint64_t bits, w;
