@@ -4,22 +4,29 @@
    run       ./surfmink examples/data/countries.tsv
              ./surfmink --help
 
-   It is a filter, one polygon at a time:
-     0 options  what the user asked for                            command/options.h
-     1 read     a file -> lines -> polygons                        command/lines.h table.h mesh.h read.h
-     2 measure  a polygon -> repaired -> L, S, area, mu, theta     command/measure.h
-     3 write    -> one line of a table, or a JSON object           command/write.h
-     4 at the end, if asked for: a summary, a picture              command/summary.h picture.h horizon.h svg.h */
+   It is a filter, a batch of polygons at a time:
+     0 options  what the user asked for                                   command/options.h
+     1 read     a file -> blocks -> lines -> numbers -> a polygon         command/lines.h number.h table.h mesh.h read.h
+     2 repair   a polygon -> what the options make of it -> into a batch  command/polygon.h repair.h batch.h
+     3 measure  a batch -> L, S, area, mu, theta of each polygon          command/measure.h
+     4 write    -> one line of a table, or a JSON object, for each        command/write.h
+     5 at the end, if asked for: a summary, a picture                     command/summary.h picture.h horizon.h svg.h
+   A batch is measured when it is full, when the file ends, when the input pauses, and before any complaint. */
 
-/* Only for isatty, which tells a terminal from a file. Elsewhere the command does without a progress line. */
-#if (defined(__unix__) || defined(__APPLE__)) && !defined(_POSIX_C_SOURCE)
+/* Only for isatty, read and poll: to tell a terminal from a file, and to take what a pipe holds. Elsewhere the command
+   does without a progress line, and rows may come late. */
+#ifndef HAS_POSIX
+#if defined(__unix__) || defined(__APPLE__)
+#define HAS_POSIX 1
+#else
+#define HAS_POSIX 0
+#endif
+#endif
+#if HAS_POSIX && !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200112L
 #endif
-#if defined(__unix__) || defined(__APPLE__)
+#if HAS_POSIX
 #include <unistd.h>
-#define HAS_ISATTY 1
-#else
-#define HAS_ISATTY 0
 #endif
 #include <signal.h>
 #include <time.h>
@@ -29,6 +36,8 @@
 
 #include "command/options.h"
 #include "command/read.h"
+#include "command/repair.h"
+#include "command/batch.h"
 #include "command/measure.h"
 #include "command/write.h"
 #include "command/summary.h"
@@ -37,12 +46,15 @@
 /* What lives as long as the run. */
 typedef struct run {
     options options;
-    polygon polygon;
-    measure measure;
+    powers_of_ten powers;
+    polygon polygon; /* that is being read */
+    batch batch;
+    measures measures;
     summary summary;
     picture picture;
-    int surface; /* of the polygons so far; AS_THE_COLUMNS_SAY before the first file */
-    int watched; /* somebody looks at standard error and not at standard output */
+    const char *name; /* of the file that is being read */
+    int surface;      /* of the polygons so far; AS_THE_COLUMNS_SAY before the first file */
+    int watched;      /* somebody looks at standard error and not at standard output */
     time_t started, shown;
     unsigned long measured, refused;
 } run;
@@ -51,7 +63,7 @@ typedef struct run {
 
 static int is_watched(const options *o)
 {
-#if HAS_ISATTY
+#if HAS_POSIX
     return !o->quiet && isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
 #else
     (void)o;
@@ -60,24 +72,19 @@ static int is_watched(const options *o)
 }
 
 /* Only after two seconds, and then once a second. */
-static void show_progress(run *r, const char *name)
+static void show_progress(run *r)
 {
     time_t now;
     if (!r->watched) return;
     now = time(NULL);
     if (difftime(now, r->started) < 2 || difftime(now, r->shown) < 1) return;
     r->shown = now;
-    fprintf(stderr, "\r\033[K%s: %lu polygons, %lu refused", name, r->measured + r->refused, r->refused);
+    fprintf(stderr, "\r\033[K%s: %lu polygons, %lu refused", r->name, r->measured + r->refused, r->refused);
     fflush(stderr);
     progress_is_shown = 1;
 }
 
-/* --- one polygon -------------------------------------------------------------------------------------------------- */
-
-static void check_standard_output(void)
-{
-    if (ferror(stdout)) die("surfmink: cannot write to standard output: %s", strerror(errno));
-}
+/* --- one batch ---------------------------------------------------------------------------------------------------- */
 
 /* What the user could do about it. */
 static const char *advice(int status, const options *o)
@@ -92,30 +99,42 @@ static const char *advice(int status, const options *o)
     }
 }
 
-static void report_refusal(const run *r, const char *name)
+static void report_refusal(const run *r, const measure *m)
 {
-    const measure *m = &r->measure;
     if (r->options.quiet) return;
     wipe_progress();
     fflush(stdout);
-    fprintf(stderr, "%s:%lu: %s%s\n", name, m->line, surfmink_strerror(m->status), advice(m->status, &r->options));
+    fprintf(stderr, "%s:%lu: %s%s\n", r->name, m->line, surfmink_strerror(m->status), advice(m->status, &r->options));
 }
 
-static void process_polygon(run *r, const char *name)
+static void write_polygon(run *r, polygon *p, const measure *m)
 {
     const options *o = &r->options;
-    measure_polygon(&r->measure, &r->polygon, o);
-    write_row(o, o->json ? JSON_OBJECT : VALUES, r->surface, r->polygon.id, &r->measure);
+    write_row(o, &r->powers, o->json ? JSON_OBJECT : VALUES, p->surface, p->id, m);
     check_standard_output();
-    if (r->measure.status == SURFMINK_OK)
+    if (m->status == SURFMINK_OK)
         ++r->measured;
     else {
         ++r->refused;
-        report_refusal(r, name);
+        report_refusal(r, m);
     }
-    if (o->summary) add_to_summary(&r->summary, &r->measure, o->max_rank);
-    if (o->svg) add_to_picture(&r->picture, &r->polygon, &r->measure, o);
-    show_progress(r, name);
+    if (o->summary) add_to_summary(&r->summary, m, o->max_rank);
+    if (o->svg) add_to_picture(&r->picture, p, m, o);
+    show_progress(r);
+}
+
+/* Measures and writes the polygons that have been read; what write_held_back calls. */
+static void process_batch(void *context)
+{
+    run *r = (run *)context;
+    measure m;
+    size_t i;
+    if (r->batch.count > 0) measure_batch(&r->measures, &r->batch, &r->options);
+    for (i = 0; i < r->batch.count; ++i) {
+        m = measure_of(&r->measures, &r->batch, i, &r->options);
+        write_polygon(r, &r->batch.polygon[i], &m);
+    }
+    clear_batch(&r->batch);
 }
 
 /* --- one file ----------------------------------------------------------------------------------------------------- */
@@ -135,11 +154,18 @@ static void check_surface(const run *r, int surface, const char *name)
 static void process_file(run *r, const char *name)
 {
     reader in;
-    open_reader(&in, name, &r->options);
+    r->name = name;
+    open_reader(&in, name, &r->powers, &r->options);
     check_surface(r, in.surface, name);
-    if (r->surface == AS_THE_COLUMNS_SAY && !r->options.json) write_row(&r->options, NAMES, in.surface, "", NULL);
+    if (r->surface == AS_THE_COLUMNS_SAY && !r->options.json)
+        write_row(&r->options, &r->powers, NAMES, in.surface, "", NULL);
     r->surface = in.surface;
-    while (next_polygon(&in, &r->polygon)) process_polygon(r, name);
+    while (next_polygon(&in, &r->polygon)) {
+        repair_polygon(&r->polygon, &r->options);
+        add_to_batch(&r->batch, &r->polygon);
+        if (is_full(&r->batch, r->options.max_rank)) write_held_back();
+    }
+    write_held_back();
     close_reader(&in);
 }
 
@@ -149,8 +175,12 @@ static void begin_run(run *r, int argc, char **argv)
 {
     memset(r, 0, sizeof *r);
     parse_options(&r->options, argc, argv);
-    begin_measure(&r->measure, r->options.max_rank);
+    prepare_powers(&r->powers);
+    begin_batch(&r->batch);
+    begin_measures(&r->measures, r->options.max_rank);
     begin_summary(&r->summary, r->options.max_rank);
+    held_back.write = process_batch;
+    held_back.context = r;
     r->surface = AS_THE_COLUMNS_SAY;
     r->watched = is_watched(&r->options);
     r->started = r->shown = time(NULL);
@@ -158,6 +188,7 @@ static void begin_run(run *r, int argc, char **argv)
 
 static void finish_run(run *r)
 {
+    held_back.write = NULL;
     wipe_progress();
     fflush(stdout);
     check_standard_output();
@@ -169,7 +200,8 @@ static void free_run(run *r)
 {
     free(r->options.file);
     free_polygon(&r->polygon);
-    end_measure(&r->measure);
+    free_batch(&r->batch);
+    end_measures(&r->measures);
     end_summary(&r->summary);
     free_picture(&r->picture);
 }

@@ -321,6 +321,9 @@ done
 printf 'cell lon lat\na 0 0\na 1 0\na 1 91\n' > in
 run
 refused "a latitude of 91" bad_argument 4 ": a latitude lies between -90 and 90"
+printf 'cell lon lat\na 0 0\na 0 0\na 1 91\n' > in
+run --merge
+check "what is at fault is not repaired" "$(field 1 n)" 3
 printf 'cell x y\na 0 0\n# here\na 1 0\n\na 1 0\na 1 1\n' > in
 run
 refused "coincident corners" coincident_corners 6 "; --merge drops one of them"
@@ -476,6 +479,136 @@ stopped "a directory" ".: "
 cp one.tsv ./--json
 run -- --json
 measured "-- ends the options" id a
+
+# --- blocks of a file, batches of polygons ----------------------------------------------------------------------------
+# Files are read in blocks of 64 KiB, and some thousand polygons are measured together. Nobody shall notice.
+
+# A table behind a comment that grows: the first block ends at every byte of the table in turn.
+printf '\r\ncell x y\r\na 0 0\r\na 1 0\r\na 1.25 1\r\rb 0 0\rb 1 0\nb 1 -1\nc 5e-1 0' > table
+comment=$(awk 'BEGIN { text = "#"; while (length(text) < 65460) text = text text; print substr(text, 1, 65460) }')
+for byte in $(awk 'BEGIN { for (i = 0; i < 80; ++i) print i }'); do
+    { printf %s "$comment" && cat table; } > in
+    "$surfmink" --max-rank 1 in
+    comment=$comment#
+done > outs 2>&1
+sed 's/^\(in:[0-9]*\):.*/\1/' outs | cut -f 1-4 > got
+check "the end of a block within lines" "$(sort got | uniq -c | tr -s ' ')" \
+    "$(printf ' 80 %s\n' "a	3	ok	3.6315574657626275" "b	3	clockwise	" "c	1	too_few_corners	" \
+        "id	n	status	L" in:10 in:7)"
+printf 'cell x y\r\na 0 0\r\na 1 0\r\na 1 1\rb 0 0\rb 1 0\rb 1 1\r' > in
+dd bs=1 if=in 2> /dev/null | "$surfmink" > out 2> err
+status=$?
+measured "a pipe that yields byte by byte" n "3 3"
+{
+    awk 'BEGIN { text = "#"; while (length(text) < 1000000) text = text text; print text }'
+    square
+    printf 'b 0 1'
+} > in
+cat in | "$surfmink" > out 2> err
+has "a line of a megabyte, and its successors" err "-:7: a polygon"
+square > in
+printf 'b 0 0\nb 0\0 1\n' >> in
+run
+stopped "a zero byte behind a polygon" "-:7: a zero byte"
+check "the polygon has been measured" "$(column id)" a
+
+awk 'BEGIN { print "cell x y"; for (i = 0; i < 9000; ++i) print i " 0 0\n" i " 1 0\n" i " 1 1" }' > in
+printf 'z 0\0 0\n' >> in
+run
+stopped "a zero byte in a later block" "-:27002: a zero byte"
+check "all polygons that ended before it have been measured" "$(tail -n 1 out | cut -f 1)" 8998
+
+# Many polygons, some of them clockwise or with a corner twice, then a line that says nothing. Both outputs go to one
+# file.
+awk 'BEGIN { print "cell x y"
+             for (i = 1; i <= 5000; ++i)
+                 print i (i % 400 ? " 0 0\n" : " 1 1\n") i " 1 0\n" i (i % 300 ? i % 400 ? " 1 1" : " 0 0" : " 1 0")
+             print "last 0 0\nlast oops 0" }' > in
+"$surfmink" --max-rank 1 in > out 2>&1
+check "many polygons: exit status" $? 1
+awk 'BEGIN { print "id\tstatus"
+             for (i = 1; i <= 5000; ++i)
+                 print i "\t" (i % 300 == 0 ? "coincident_corners\nin:" 3 * i + 1 : \
+                               i % 400 == 0 ? "clockwise\nin:" 3 * i - 1 : "ok")
+             print "in:15003" }' > want
+sed 's/^\(in:[0-9]*\):.*/\1/' out | cut -f 1,3 > got
+check "many polygons: rows and complaints keep their order" "$(cmp got want && echo same)" same
+printf 'cell x y\na 0 0\na 1 0\na 1 0\n' > in
+printf 'b %s\n' '0 0' '-1 -1' '-1 3' '3 3' '3 -1' '0 0' '0 2' '2 2' '2 0' >> in
+printf 'c 0 0\nc 0 1\nc 1 0\n' >> in
+run --reverse auto
+check "what is turned round changes nothing for the others" "$(column status) $(cut -d : -f 2 err | tr '\n' ' ')" \
+    "coincident_corners crosses_itself ok 4 5 "
+awk 'BEGIN { print "cell x y"; for (i = 1; i <= 5000; ++i) print i " 0 0\n" i " 1 0\n" i " 1 1" }' > in
+run --max-rank 250
+check "many polygons, many ranks" "$(tail -n 1 out | cut -f 1-3)" "$(printf '5000\t3\tok')"
+awk 'BEGIN { print "cell x y"; step = 6.283185307179586 / 7000
+             for (i = 1; i <= 5; ++i)
+                 for (k = 0; k < 7000; ++k) printf "%d %.17g %.17g\n", i, cos(step * k), sin(step * k) }' > in
+run
+measured "a few polygons of many corners" n "7000 7000 7000 7000 7000"
+
+# Memory grows with the largest polygon, not with the table. (Not all shells and programs can be limited.)
+limited() {
+    (ulimit -v 40000 && exec "$surfmink" --max-rank 12 in) 2> err
+}
+square > in
+if { limited > /dev/null; } 2> /dev/null; then
+    awk 'BEGIN { print "cell x y"; for (i = 0; i < 200000; ++i) print i " 0 0\n" i " 1 0\n" i " 1 1" }' > in
+    limited | tail -n 1 > out
+    check "a long table takes little memory" "$(cut -f 1-3 out) $(cat err)" "$(printf '199999\t3\tok ')"
+fi
+
+# Polygons of one file are measured together, those of many files alone. These have much in common, and many faults.
+awk 'function ring(id, n, turn, east, north, size,   i, a) {
+         for (i = 0; i < n; ++i) {
+             a = 6.283185307179586 * turn * i / n
+             point(id, east + size * cos(a), north + size * (1 + (n > 3) * 0.3 * cos(3 * i)) * sin(a))
+         }
+     }
+     function point(id, x, y) { print id, x, y, 1, x, y, 1 }
+     BEGIN { CONVFMT = OFMT = "%.17g"
+             print "cell x y z nx ny nz"
+             for (k = 0; k < 20; ++k) {
+                 ring("hexagon" k, 6, 1, k / 20, 0.1, 0.2); ring("back" k, 5, -1, 0.1, k / 20, 0.3)
+                 ring("long" k, 6 * k + 3, 1, 0, 0, 0.5); ring("round" k, 6 * k + 3, -1, 0, 0, 0.4)
+                 ring("two" k, 2, 1, 0, 0, 1)
+             }
+             point("again", 0, 0); point("again", 0, 0); point("again", 1, 0); point("again", 1, 1)
+             ring("closed", 7, 1, 0, 0, 0.4); point("closed", 0.4, 0)
+             point("nan", 0, 0); point("nan", 1, 0); point("nan", "nan", 1)
+             ring("square", 4, 1, 0, 0, 0.1) }' > in
+awk 'NR == 1 { names = $0; next }
+     $1 != last { close(file); file = sprintf("alone.%03d", ++files); print names > file; last = $1 }
+     { print > file }' in
+for surface in plane sphere embedded; do
+    for options in "--max-rank 12" "--reverse auto --directions" \
+        "--reverse auto --merge --smooth 1 --transport parallel --json"; do
+        run --surface $surface $options in
+        check "$surface $options, together as alone" "$status $(cat out)" \
+            "2 $("$surfmink" --surface $surface $options alone.* 2> err)"
+    done
+done
+
+# A user who types, and a pipe that goes on later: what is complete is written. A command that waits is killed.
+mkfifo typed shown
+"$surfmink" < typed > shown 2> err &
+command=$!
+{ sleep 20 && kill "$command"; } > /dev/null 2>&1 < /dev/null &
+guard=$!
+exec 3> typed 4< shown
+printf 'cell x y\na 0 0\na 1 0\na 1 1\nb 0 0\nb 1' >&3
+read -r names <&4
+read -r row <&4
+check "while the input pauses, no row is held back" "${row%%	*}" a
+printf ' 0\nb 1 1\n' >&3
+exec 3>&-
+cat <&4 > out
+exec 4<&-
+wait "$command"
+check "the input went on: exit status" $? 0
+check "the input went on" "$(cut -f 1-3 out)" "$(printf 'b\t3\tok')"
+kill "$guard"
 
 # --- meshes -----------------------------------------------------------------------------------------------------------
 

@@ -1,7 +1,8 @@
-/* common.h - what all parts of the command need: complaints, memory, numbers out of text, text into tables. */
+/* common.h - what all parts of the command need: complaints, memory, counts out of text, text into tables. */
 #ifndef SURFMINK_COMMAND_COMMON_H
 #define SURFMINK_COMMAND_COMMON_H
 
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -20,6 +21,23 @@
 /* Exit statuses: all measured, something is wrong with the call or its input, some outlines were refused. */
 enum { EXIT_MEASURED = 0, EXIT_TROUBLE = 1, EXIT_REFUSED = 2 };
 
+/* --- what is held back -------------------------------------------------------------------------------------------- */
+
+/* Polygons are measured many at a time. Those that have been read and wait for others are measured and written at once
+   if the run ends early or the input pauses: nobody shall notice that they had to wait. */
+static struct {
+    void (*write)(void *context);
+    void *context;
+} held_back;
+
+static void write_held_back(void)
+{
+    void (*write)(void *) = held_back.write;
+    held_back.write = NULL; /* should this end the run, it is not tried again */
+    if (write) write(held_back.context);
+    held_back.write = write;
+}
+
 /* --- complaints --------------------------------------------------------------------------------------------------- */
 
 /* Is there an unfinished progress line on the terminal? The next complaint has to wipe it first. */
@@ -31,23 +49,25 @@ static void wipe_progress(void)
     progress_is_shown = 0;
 }
 
-/* One line to standard error. What has been measured so far goes out first, so that the two keep their order. */
-static void complain(const char *format, va_list arguments)
-{
-    fflush(stdout);
-    wipe_progress();
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
-}
-
+/* One line to standard error, and the end. What has been read so far goes out first, so that the two keep their
+   order. */
 static void die(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
 static void die(const char *format, ...)
 {
     va_list arguments;
+    write_held_back();
+    fflush(stdout);
+    wipe_progress();
     va_start(arguments, format);
-    complain(format, arguments);
+    vfprintf(stderr, format, arguments);
     va_end(arguments);
+    fputc('\n', stderr);
     exit(EXIT_TROUBLE);
+}
+
+static void check_standard_output(void)
+{
+    if (ferror(stdout)) die("surfmink: cannot write to standard output: %s", strerror(errno));
 }
 
 /* --- memory ------------------------------------------------------------------------------------------------------- */
@@ -68,15 +88,7 @@ static void *grow(void *array, size_t *room, size_t need, size_t size)
     return resize(array, *room, size);
 }
 
-/* --- numbers out of text ------------------------------------------------------------------------------------------ */
-
-/* The whole text as a number. strtod rounds correctly and, as setlocale is never called, expects a decimal point. */
-static int parse_number(const char *text, double *value)
-{
-    char *end;
-    *value = strtod(text, &end);
-    return end != text && *end == '\0';
-}
+/* --- counts out of text ------------------------------------------------------------------------------------------- */
 
 /* The whole text as a count: digits and nothing else, so neither -1 nor 1e3. */
 static int parse_count(const char *text, size_t *value)

@@ -3,17 +3,35 @@
 #define SURFMINK_COMMAND_LINES_H
 
 #include "common.h"
-#include <errno.h>
+#include "number.h"
+
+#if HAS_POSIX
+#include <poll.h>
+#endif
+
+/* How far the unread text has been searched for a byte: up to there it has none. So each search looks at a byte once,
+   however long the lines are. */
+typedef struct search {
+    char byte;
+    size_t at;
+} search;
 
 typedef struct lines {
     const char *name; /* of the file, as the user wrote it */
     FILE *file;
-    unsigned long number; /* of the line that is read, from 1 */
-    char *text;           /* this line; split_line cuts it up */
-    size_t room;
+    int ended;                   /* there is no more to read */
+    const powers_of_ten *powers; /* for the numbers in it */
+    unsigned long number;        /* of the line that is read, from 1 */
+    char *text;                  /* this line; split_line cuts it up */
     char **field;
     size_t fields, field_room;
+    char *block;          /* of the file: the line at hand, and what follows it */
+    size_t next, end;     /* of what follows it */
+    size_t room;          /* one more than end may be */
+    search feed, cr, nul; /* \n, \r, \0 */
 } lines;
+
+enum { BLOCK_SIZE = 65536 };
 
 /* The run stops at a line that says nothing: whatever followed would be a guess. */
 static void malformed(const lines *in, const char *format, ...) COMMAND_PRINTF(2, 3) COMMAND_DIES;
@@ -27,75 +45,149 @@ static void malformed(const lines *in, const char *format, ...)
     die("%s:%lu: %s", in->name, in->number, reason);
 }
 
-static void open_lines(lines *in, const char *name)
+static void open_lines(lines *in, const char *name, const powers_of_ten *powers)
 {
     memset(in, 0, sizeof *in);
     in->name = name;
     in->file = strcmp(name, "-") == 0 ? stdin : fopen(name, "rb");
     if (!in->file) die("%s: %s", name, strerror(errno));
+    in->powers = powers;
+    in->room = BLOCK_SIZE;
+    in->block = (char *)resize(NULL, in->room, 1);
+    in->feed.byte = '\n';
+    in->cr.byte = '\r';
 }
 
 static void close_lines(lines *in)
 {
     if (in->file != stdin) fclose(in->file);
-    free(in->text);
+    free(in->block);
     free(in->field);
 }
 
-/* A character, where \n, \r\n and a lone \r all end a line. */
-static int next_character(lines *in)
+/* --- blocks ------------------------------------------------------------------------------------------------------- */
+
+/* Some bytes of the file, 0 at its end. From a pipe or a terminal these are all that there are, and if there are none,
+   nothing is held back while they are awaited: who types outlines sees a row as soon as the next outline begins.
+   Without POSIX one cannot ask what there is, and rows wait for whole blocks and batches. */
+static size_t read_some(lines *in, char *to, size_t most)
 {
-    int c = getc(in->file);
-    if (c == '\r') {
-        c = getc(in->file);
-        if (c != '\n' && c != EOF) ungetc(c, in->file);
-        return '\n';
+#if HAS_POSIX
+    struct pollfd input;
+    ssize_t count;
+    input.fd = fileno(in->file);
+    input.events = POLLIN;
+    if (poll(&input, 1, 0) != 1 || !(input.revents & (POLLIN | POLLHUP))) {
+        write_held_back();
+        fflush(stdout);
+        check_standard_output();
     }
-    if (c == '\0') malformed(in, "a zero byte: this is not plain text");
-    if (c == EOF && ferror(in->file)) die("%s: %s", in->name, strerror(errno));
-    return c;
+    do count = read(input.fd, to, most);
+    while (count < 0 && errno == EINTR);
+    if (count < 0) die("%s: %s", in->name, strerror(errno));
+    return (size_t)count;
+#else
+    size_t count = fread(to, 1, most, in->file);
+    if (count == 0 && ferror(in->file)) die("%s: %s", in->name, strerror(errno));
+    return count;
+#endif
+}
+
+/* The unread text, which is less than a line, moves to the front of the block, and more comes behind it. */
+static void read_on(lines *in)
+{
+    size_t unread = in->end - in->next, count;
+    if (in->next > 0) memmove(in->block, in->block + in->next, unread);
+    in->feed.at -= in->next;
+    in->cr.at -= in->next;
+    in->nul.at -= in->next;
+    in->next = 0;
+    in->end = unread;
+    in->block = (char *)grow(in->block, &in->room, in->end + BLOCK_SIZE / 2, 1);
+    count = read_some(in, in->block + in->end, in->room - 1 - in->end);
+    in->end += count;
+    in->ended = count == 0;
+}
+
+/* --- lines -------------------------------------------------------------------------------------------------------- */
+
+/* Where the byte comes next in the unread text; its end if it does not. */
+static size_t find(const lines *in, search *s)
+{
+    const char *found;
+    if (s->at < in->next) s->at = in->next;
+    found = (const char *)memchr(in->block + s->at, s->byte, in->end - s->at);
+    s->at = found ? (size_t)(found - in->block) : in->end;
+    return s->at;
+}
+
+/* Where the next line ends: at the first \n, \r\n, lone \r, or with the file. Reads as much of it as that takes. */
+static size_t find_line_end(lines *in)
+{
+    size_t feed, cr, end;
+    for (;;) {
+        feed = find(in, &in->feed);
+        cr = find(in, &in->cr);
+        end = feed < cr ? feed : cr;
+        if (find(in, &in->nul) < end) malformed(in, "a zero byte: this is not plain text");
+        if (in->ended || feed < in->end || cr + 1 < in->end) return end; /* a \r is not the last: \n could follow */
+        read_on(in);
+    }
 }
 
 /* The next line, without its end; 0 if there is none. */
 static int read_line(lines *in)
 {
     static const char byte_order_mark[] = "\xef\xbb\xbf";
-    size_t n = 0;
-    int c;
+    size_t end;
     ++in->number;
-    for (c = next_character(in); c != EOF && c != '\n'; c = next_character(in)) {
-        in->text = (char *)grow(in->text, &in->room, n + 2, 1);
-        in->text[n++] = (char)c;
-    }
-    if (c == EOF && n == 0) {
+    end = find_line_end(in);
+    if (in->next == in->end) {
         --in->number;
         return 0;
     }
-    in->text = (char *)grow(in->text, &in->room, n + 1, 1);
-    in->text[n] = '\0';
-    if (in->number == 1 && strncmp(in->text, byte_order_mark, 3) == 0) memmove(in->text, in->text + 3, n - 2);
+    in->text = in->block + in->next;
+    in->next = end + 1;
+    if (end + 1 < in->end && in->block[end] == '\r' && in->block[end + 1] == '\n') ++in->next;
+    if (end == in->end) in->next = end;
+    in->block[end] = '\0';
+    if (in->number == 1 && strncmp(in->text, byte_order_mark, 3) == 0) in->text += 3;
     return 1;
 }
 
 /* --- fields ------------------------------------------------------------------------------------------------------- */
 
-static const char blanks[] = " \t\v\f";
-
-static int is_blank_line(const char *text)
+static int is_blank(char c)
 {
-    return text[strspn(text, blanks)] == '\0';
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
-static int is_comment(const char *text)
+static char *skip_blanks(char *text)
 {
-    return text[strspn(text, blanks)] == '#';
+    while (is_blank(*text)) ++text;
+    return text;
+}
+
+static int is_blank_line(char *text)
+{
+    return *skip_blanks(text) == '\0';
+}
+
+static int is_comment(char *text)
+{
+    return *skip_blanks(text) == '#';
+}
+
+/* The text ends at `end` or before the blanks there. */
+static void cut(const char *text, char *end)
+{
+    while (end > text && is_blank(end[-1])) --end;
+    *end = '\0';
 }
 
 static void trim_end(char *text)
 {
-    size_t n = strlen(text);
-    while (n > 0 && strchr(blanks, text[n - 1])) --n;
-    text[n] = '\0';
+    cut(text, text + strlen(text));
 }
 
 /* Takes the quotes off a quoted field, where "" stands for one quote; returns what follows the closing one. */
@@ -112,17 +204,29 @@ static char *unquote(lines *in, char *field)
     return from + 1;
 }
 
+/* The separator or, if that is a blank, any blank; else the end of the text. */
+static char *find_separator(char *text, char separator)
+{
+    char *found;
+    if (separator == ' ') {
+        while (*text && !is_blank(*text)) ++text;
+        return text;
+    }
+    found = strchr(text, separator);
+    return found ? found : text + strlen(text);
+}
+
 /* The field that begins at *rest, without the blanks around it; *rest moves behind it, to NULL after the last one. */
 static char *take_field(lines *in, char **rest, char separator)
 {
-    const char stops[2] = {separator, '\0'};
-    char *field = *rest + strspn(*rest, separator == '\t' ? " " : blanks), *end = field;
-    int quoted = separator == ',' && *field == '"';
-    if (quoted) end = unquote(in, field);
-    end += strcspn(end, separator == ' ' ? blanks : stops);
+    char *field = *rest, *end;
+    int quoted;
+    while (*field == ' ' || (separator != '\t' && is_blank(*field))) ++field;
+    quoted = separator == ',' && *field == '"';
+    end = find_separator(quoted ? unquote(in, field) : field, separator);
     *rest = *end ? end + 1 : NULL;
     *end = '\0';
-    if (!quoted) trim_end(field);
+    if (!quoted) cut(field, end);
     return field;
 }
 

@@ -1,121 +1,162 @@
-/* measure.h - step 2 of the command: a polygon -> its measure, or the reason why it has none. */
+/* measure.h - step 3 of the command: a batch of polygons -> the measure of each, or the reason why it has none. */
 #ifndef SURFMINK_COMMAND_MEASURE_H
 #define SURFMINK_COMMAND_MEASURE_H
 
-#include "polygon.h"
+#include "batch.h"
+#include "repair.h"
 
+/* Of one polygon. */
 typedef struct measure {
     int status;         /* of enum surfmink_status; unless OK only n and line count */
     size_t n;           /* corners, as measured */
     unsigned long line; /* of the corner to blame, or of the whole outline */
-    surfmink_functionals w;
-    double *g;       /* 2 P + 2 */
-    double *mu;      /* P + 1 */
-    double *theta;   /* P + 1 */
-    double frame[9]; /* nu, tau (, normal) at the middle of edge 0 */
+    double length, turning, area;
+    const double *mu;    /* P + 1 */
+    const double *theta; /* P + 1 */
+    double frame[9];     /* nu, tau (, normal) at the middle of edge 0 */
     int has_frame;
-    double *length;  /* n, for the classical transport and for pictures */
-    double *turning; /* n */
-    size_t length_room, turning_room;
 } measure;
 
-static void begin_measure(measure *m, int max_rank)
+/* Lengths and turning angles of one polygon. */
+typedef struct edges {
+    double *length, *turning;
+    size_t length_room, turning_room;
+} edges;
+
+/* Of all polygons of a batch. */
+typedef struct measures {
+    surfmink_results of;
+    size_t room; /* polygons */
+    double *scratch;
+    size_t scratch_room;
+    double *g; /* 2 P + 2, of one polygon; for the classical transport, as are its edges */
+    edges edges;
+} measures;
+
+static void begin_measures(measures *m, int max_rank)
 {
-    size_t ranks = (size_t)max_rank + 1;
     memset(m, 0, sizeof *m);
-    m->g = (double *)resize(NULL, 2 * ranks, sizeof *m->g);
-    m->mu = (double *)resize(NULL, ranks, sizeof *m->mu);
-    m->theta = (double *)resize(NULL, ranks, sizeof *m->theta);
+    m->g = (double *)resize(NULL, 2 * ((size_t)max_rank + 1), sizeof *m->g);
 }
 
-static void end_measure(measure *m)
+static void make_room(measures *m, size_t count, int max_rank)
 {
-    free(m->g);
-    free(m->mu);
-    free(m->theta);
-    free(m->length);
-    free(m->turning);
+    size_t ranks = (size_t)max_rank + 1;
+    if (count <= m->room) return;
+    m->of.status = (int *)resize(m->of.status, count, sizeof *m->of.status);
+    m->of.bad = (size_t *)resize(m->of.bad, count, sizeof *m->of.bad);
+    m->of.length = (double *)resize(m->of.length, count, sizeof *m->of.length);
+    m->of.turning = (double *)resize(m->of.turning, count, sizeof *m->of.turning);
+    m->of.area = (double *)resize(m->of.area, count, sizeof *m->of.area);
+    m->of.mu = (double *)resize(m->of.mu, count, ranks * sizeof *m->of.mu);
+    m->of.theta = (double *)resize(m->of.theta, count, ranks * sizeof *m->of.theta);
+    m->room = count;
 }
+
+static void free_edges(edges *e)
+{
+    free(e->length);
+    free(e->turning);
+}
+
+static void end_measures(measures *m)
+{
+    free(m->of.status);
+    free(m->of.bad);
+    free(m->of.length);
+    free(m->of.turning);
+    free(m->of.area);
+    free(m->of.mu);
+    free(m->of.theta);
+    free(m->scratch);
+    free(m->g);
+    free_edges(&m->edges);
+}
+
+/* --- the library -------------------------------------------------------------------------------------------------- */
+
+static double radius_of(const options *o)
+{
+    return o->radius > 0 ? o->radius : 1;
+}
+
+/* The polygons from `first` to before `end`, as they now are. */
+static void measure_range(measures *m, const batch *b, size_t first, size_t end, const options *o)
+{
+    size_t ranks = (size_t)o->max_rank + 1, count = end - first, i;
+    surfmink_results r = m->of;
+    r.status += first;
+    r.bad += first;
+    r.length += first;
+    r.turning += first;
+    r.area += first;
+    r.mu = o->transport == SURFMINK_PARALLEL ? NULL : r.mu + first * ranks;
+    r.theta = o->transport == SURFMINK_PARALLEL ? NULL : r.theta + first * ranks;
+    switch (b->polygon[first].surface) {
+    case PLANE: surfmink_batch_plane(b->corner, b->offset + first, count, o->max_rank, &r, m->scratch); break;
+    case SPHERE:
+        surfmink_batch_sphere(b->corner, b->offset + first, count, radius_of(o), o->max_rank, &r, m->scratch);
+        break;
+    default: surfmink_batch_embedded(b->corner, b->normal, b->offset + first, count, o->max_rank, &r, m->scratch);
+    }
+    for (i = first; i < end; ++i)
+        if (b->polygon[i].fault != SURFMINK_OK) m->of.status[i] = b->polygon[i].fault;
+}
+
+/* For --reverse auto: the clockwise ones are turned round and measured again, in runs of such. */
+static void measure_reversed(measures *m, batch *b, const options *o)
+{
+    size_t first, end;
+    for (first = 0; first < b->count; first = end + 1) {
+        for (end = first; end < b->count && m->of.status[end] == SURFMINK_CLOCKWISE; ++end)
+            reverse_corners(&b->polygon[end]);
+        if (end > first) measure_range(m, b, first, end, o);
+    }
+}
+
+static void measure_edges(edges *e, const polygon *p, double radius)
+{
+    e->length = (double *)grow(e->length, &e->length_room, p->n, sizeof *e->length);
+    e->turning = (double *)grow(e->turning, &e->turning_room, p->n, sizeof *e->turning);
+    switch (p->surface) {
+    case PLANE: surfmink_edges_plane(p->corner, p->n, e->length, e->turning, NULL); break;
+    case SPHERE: surfmink_edges_sphere(p->corner, p->n, radius, e->length, e->turning, NULL); break;
+    default: surfmink_edges_embedded(p->corner, p->normal, p->n, e->length, e->turning, NULL); break;
+    }
+}
+
+/* For --transport parallel: mu and theta of the classical transport. What the corrected one refuses is refused. */
+static void measure_parallel(measures *m, const batch *b, const options *o)
+{
+    size_t ranks = (size_t)o->max_rank + 1, i;
+    for (i = 0; i < b->count; ++i) {
+        const polygon *p = &b->polygon[i];
+        int *status = &m->of.status[i];
+        if (*status != SURFMINK_OK) continue;
+        measure_edges(&m->edges, p, radius_of(o));
+        *status = surfmink_irreducible_parallel(m->edges.length, m->edges.turning, p->n, 0, 0.5, o->max_rank, m->g);
+        if (*status == SURFMINK_OK)
+            *status = surfmink_spectrum(m->g, o->max_rank, NULL, m->of.mu + i * ranks, m->of.theta + i * ranks);
+        if (*status != SURFMINK_OK) m->of.bad[i] = p->n;
+    }
+}
+
+static void measure_batch(measures *m, batch *b, const options *o)
+{
+    place_polygons(b);
+    make_room(m, b->count, o->max_rank);
+    m->scratch = (double *)grow(m->scratch, &m->scratch_room, 2 * b->offset[b->count], sizeof *m->scratch);
+    measure_range(m, b, 0, b->count, o);
+    if (o->reverse == REVERSE_AUTO) measure_reversed(m, b, o);
+    if (o->transport == SURFMINK_PARALLEL) measure_parallel(m, b, o);
+}
+
+/* --- one polygon -------------------------------------------------------------------------------------------------- */
 
 /* Below this mu_p is rounding noise, and so is any direction. */
 static int has_direction(const measure *m, int p)
 {
     return m->mu[p] >= 1e-12;
-}
-
-/* --- repairs ------------------------------------------------------------------------------------------------------ */
-
-/* Are they the same point, so that the library would refuse the edge between them? On a sphere directions decide. */
-static int coincide(const polygon *p, size_t i, size_t j)
-{
-    size_t k, stride = stride_of(p->surface);
-    const double *a = p->corner + i * stride, *b = p->corner + j * stride;
-    double between[3];
-    if (p->surface == SPHERE)
-        return surfmink_sphere_log(a, b, 1, between) == SURFMINK_OK && between[0] == 0 && between[1] == 0 &&
-               between[2] == 0;
-    for (k = 0; k < stride; ++k)
-        if (a[k] != b[k]) return 0;
-    return 1;
-}
-
-static void drop_closing_corner(polygon *p)
-{
-    if (p->n > 1 && coincide(p, 0, p->n - 1)) --p->n;
-}
-
-/* surfmink_merge, but lines go along with their corners, and corners of a sphere are compared as directions. */
-static void merge_corners(polygon *p)
-{
-    size_t i, kept = 1, stride = stride_of(p->surface);
-    for (i = 1; i < p->n; ++i) {
-        if (coincide(p, i, kept - 1)) continue;
-        memmove(p->corner + kept * stride, p->corner + i * stride, stride * sizeof *p->corner);
-        if (p->surface == EMBEDDED) memmove(p->normal + kept * 3, p->normal + i * 3, 3 * sizeof *p->normal);
-        p->line[kept++] = p->line[i];
-    }
-    if (p->n > 0) p->n = kept;
-    while (p->n > 1 && coincide(p, 0, p->n - 1)) --p->n;
-}
-
-static void smooth_corners(polygon *p, size_t passes)
-{
-    surfmink_smooth(p->corner, p->n, stride_of(p->surface), passes);
-    if (p->surface == EMBEDDED) surfmink_smooth(p->normal, p->n, 3, passes);
-}
-
-static void reverse_corners(polygon *p)
-{
-    size_t i;
-    surfmink_reverse(p->corner, p->n, stride_of(p->surface));
-    if (p->surface == EMBEDDED) surfmink_reverse(p->normal, p->n, 3);
-    for (i = 0; i < p->n / 2; ++i) {
-        unsigned long line = p->line[i];
-        p->line[i] = p->line[p->n - 1 - i];
-        p->line[p->n - 1 - i] = line;
-    }
-}
-
-/* --- measuring ---------------------------------------------------------------------------------------------------- */
-
-static int measure_corrected(measure *m, const polygon *p, const options *o, double radius, size_t *bad)
-{
-    switch (p->surface) {
-    case PLANE: return surfmink_measure_plane(p->corner, p->n, o->max_rank, NULL, m->g, &m->w, bad);
-    case SPHERE: return surfmink_measure_sphere(p->corner, p->n, radius, o->max_rank, NULL, m->g, &m->w, bad);
-    default: return surfmink_measure_embedded(p->corner, p->normal, p->n, o->max_rank, NULL, m->g, &m->w, bad);
-    }
-}
-
-static void measure_edges(measure *m, const polygon *p, double radius)
-{
-    m->length = (double *)grow(m->length, &m->length_room, p->n, sizeof *m->length);
-    m->turning = (double *)grow(m->turning, &m->turning_room, p->n, sizeof *m->turning);
-    switch (p->surface) {
-    case PLANE: surfmink_edges_plane(p->corner, p->n, m->length, m->turning, NULL); break;
-    case SPHERE: surfmink_edges_sphere(p->corner, p->n, radius, m->length, m->turning, NULL); break;
-    default: surfmink_edges_embedded(p->corner, p->normal, p->n, m->length, m->turning, NULL); break;
-    }
 }
 
 /* Corners of a sphere may lie off it; the frame must not notice. It only looks at the first two. */
@@ -131,48 +172,36 @@ static int sphere_frame(const polygon *p, double frame[9])
     return surfmink_frame_embedded(on_sphere, on_sphere, 3, 0, frame);
 }
 
-static int find_frame(measure *m, const polygon *p)
+static int find_frame(const polygon *p, double frame[9])
 {
     switch (p->surface) {
-    case PLANE: return surfmink_frame_plane(p->corner, p->n, 0, m->frame);
-    case SPHERE: return sphere_frame(p, m->frame);
-    default: return surfmink_frame_embedded(p->corner, p->normal, p->n, 0, m->frame);
+    case PLANE: return surfmink_frame_plane(p->corner, p->n, 0, frame);
+    case SPHERE: return sphere_frame(p, frame);
+    default: return surfmink_frame_embedded(p->corner, p->normal, p->n, 0, frame);
     }
 }
 
-/* The outline as it now is. Whatever the transport, what the corrected one refuses is refused. */
-static int measure_once(measure *m, const polygon *p, const options *o)
+static unsigned long line_to_blame(const polygon *p, size_t bad)
 {
-    double radius = o->radius > 0 ? o->radius : 1;
-    size_t bad = p->n;
-    int status = measure_corrected(m, p, o, radius, &bad);
-    m->n = p->n;
-    m->line = bad < p->n ? p->line[bad] : p->first_line;
-    if (status == SURFMINK_OK && o->transport == SURFMINK_PARALLEL) {
-        measure_edges(m, p, radius);
-        status = surfmink_irreducible_parallel(m->length, m->turning, p->n, 0, 0.5, o->max_rank, m->g);
-    }
-    if (status == SURFMINK_OK) status = surfmink_spectrum(m->g, o->max_rank, NULL, m->mu, m->theta);
-    m->has_frame = status == SURFMINK_OK && o->directions && find_frame(m, p) == SURFMINK_OK;
-    return status;
+    if (p->fault != SURFMINK_OK) return p->fault_line;
+    return bad < p->n ? p->line[bad] : p->first_line;
 }
 
-/* Repairs the polygon as far as the options say, in the order in which they may help each other, and measures it. */
-static void measure_polygon(measure *m, polygon *p, const options *o)
+static measure measure_of(const measures *m, const batch *b, size_t i, const options *o)
 {
-    drop_closing_corner(p);
-    m->n = p->n;
-    m->line = p->fault_line;
-    m->status = p->fault; /* not to be smeared over the neighbours by smoothing */
-    if (m->status != SURFMINK_OK) return;
-    if (o->merge) merge_corners(p);
-    smooth_corners(p, o->smooth);
-    if (o->reverse == REVERSE_ALWAYS) reverse_corners(p);
-    m->status = measure_once(m, p, o);
-    if (m->status == SURFMINK_CLOCKWISE && o->reverse == REVERSE_AUTO) {
-        reverse_corners(p);
-        m->status = measure_once(m, p, o);
-    }
+    const polygon *p = &b->polygon[i];
+    size_t ranks = (size_t)o->max_rank + 1;
+    measure one;
+    one.status = m->of.status[i];
+    one.n = p->n;
+    one.line = one.status == SURFMINK_OK ? p->first_line : line_to_blame(p, m->of.bad[i]);
+    one.length = m->of.length[i];
+    one.turning = m->of.turning[i];
+    one.area = m->of.area[i];
+    one.mu = m->of.mu + i * ranks;
+    one.theta = m->of.theta + i * ranks;
+    one.has_frame = one.status == SURFMINK_OK && o->directions && find_frame(p, one.frame) == SURFMINK_OK;
+    return one;
 }
 
 #endif

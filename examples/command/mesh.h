@@ -74,7 +74,8 @@ static void read_vertices(mesh *m, lines *in)
         m->vertex = (double *)grow(m->vertex, &room, 3 * (i + 1), sizeof *m->vertex);
         if (in->fields < 3) malformed(in, "a vertex needs x y z");
         for (k = 0; k < 3; ++k)
-            if (!parse_number(in->field[k], m->vertex + 3 * i + k)) malformed(in, "'%s' is not a number", in->field[k]);
+            if (!parse_number(in->powers, in->field[k], m->vertex + 3 * i + k))
+                malformed(in, "'%s' is not a number", in->field[k]);
     }
 }
 

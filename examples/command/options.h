@@ -4,6 +4,7 @@
 
 #include "camera.h"
 #include "common.h"
+#include "number.h"
 
 /* In the order of the words behind --surface and --reverse. */
 enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
@@ -146,7 +147,7 @@ static int parse_between(const char *name, const char *value, size_t least, size
 static double parse_radius(const char *value)
 {
     double radius;
-    if (!parse_number(value, &radius) || !(radius > 0 && radius <= 1e100))
+    if (!parse_number(NULL, value, &radius) || !(radius > 0 && radius <= 1e100))
         usage_error("--radius is a positive number, not '%s'", value);
     return radius;
 }
@@ -163,12 +164,12 @@ static int parse_color_by(const char *value)
 /* Numbers with commas between them; returns how many, 0 if they are none or too many. */
 static int parse_list(const char *value, double *number, int most)
 {
-    char *end;
+    const char *end;
     int count = 0;
     for (;; value = end + 1) {
         if (count == most) return 0;
-        number[count] = strtod(value, &end);
-        if (end == value || !(fabs(number[count]) <= 1e100)) return 0;
+        end = read_number(NULL, value, &number[count]);
+        if (!end || !(fabs(number[count]) <= 1e100)) return 0;
         ++count;
         if (*end == '\0') return count;
         if (*end != ',') return 0;

@@ -1,4 +1,4 @@
-/* picture.h - step 4 of the command, if asked for: what a picture needs to know of every outline.
+/* picture.h - step 5 of the command, if asked for: what a picture needs to know of every outline.
 
    Plane, sphere (made a unit sphere) and embedded outlines become alike here: corners and normals in space. */
 #ifndef SURFMINK_COMMAND_PICTURE_H
@@ -27,6 +27,7 @@ typedef struct picture {
     size_t text_length, text_room;
     double *normal, *phase; /* of the outline that is being added */
     size_t normal_room, phase_room;
+    edges edges; /* of it */
 } picture;
 
 static void free_picture(picture *g)
@@ -36,6 +37,7 @@ static void free_picture(picture *g)
     free(g->text);
     free(g->normal);
     free(g->phase);
+    free_edges(&g->edges);
 }
 
 /* 0 if it has no direction. */
@@ -133,7 +135,7 @@ static void find_director(shape *s, picture *g, const double *corner, const meas
     double frame[9], e[3], e1[3], e2[3], angle, re = 0, im = 0;
     size_t i, k;
     g->phase = (double *)grow(g->phase, &g->phase_room, s->n, sizeof *g->phase);
-    if (surfmink_phases(m->turning, s->n, o->transport, g->phase) != SURFMINK_OK) return;
+    if (surfmink_phases(g->edges.turning, s->n, o->transport, g->phase) != SURFMINK_OK) return;
     tangent_axes(s->normal, e1, e2);
     for (i = 0; i < s->n; ++i) {
         if (surfmink_frame_embedded(corner, g->normal, s->n, i, frame) != SURFMINK_OK) continue;
@@ -141,8 +143,8 @@ static void find_director(shape *s, picture *g, const double *corner, const meas
         for (k = 0; k < 3; ++k) e[k] = cos(angle) * frame[k] + sin(angle) * frame[3 + k];
         tilt(e, frame + 6, s->normal);
         angle = p * atan2(dot(e, e2), dot(e, e1));
-        re += m->length[i] * cos(angle);
-        im += m->length[i] * sin(angle);
+        re += g->edges.length[i] * cos(angle);
+        im += g->edges.length[i] * sin(angle);
     }
     angle = atan2(im, re) / p;
     for (k = 0; k < 3; ++k) s->director[k] = cos(angle) * e1[k] + sin(angle) * e2[k];
@@ -160,7 +162,7 @@ static size_t keep_text(picture *g, const char *text)
 }
 
 /* Outlines that were refused are drawn too, as far as they can be. */
-static void add_to_picture(picture *g, polygon *p, measure *m, const options *o)
+static void add_to_picture(picture *g, polygon *p, const measure *m, const options *o)
 {
     double *corner;
     shape *s;
@@ -179,7 +181,7 @@ static void add_to_picture(picture *g, polygon *p, measure *m, const options *o)
     find_centre(s, g, corner);
     if (m->status != SURFMINK_OK) return;
     s->mu = m->mu[o->color_by];
-    measure_edges(m, p, 1);
+    measure_edges(&g->edges, p, 1);
     if (has_direction(m, o->color_by)) find_director(s, g, corner, m, o);
 }
 

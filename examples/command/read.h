@@ -19,10 +19,10 @@ static int ends_in_off(const char *name)
     return n >= 4 && (strcmp(name + n - 4, ".off") == 0 || strcmp(name + n - 4, ".OFF") == 0);
 }
 
-static void open_reader(reader *r, const char *name, const options *o)
+static void open_reader(reader *r, const char *name, const powers_of_ten *powers, const options *o)
 {
     memset(r, 0, sizeof *r);
-    open_lines(&r->in, name);
+    open_lines(&r->in, name, powers);
     r->is_mesh = ends_in_off(name);
     if (r->is_mesh) {
         read_mesh(&r->mesh, &r->in, o);

@@ -1,4 +1,4 @@
-/* summary.h - step 4 of the command, if asked for: the measures of all polygons -> a few lines about them. */
+/* summary.h - step 5 of the command, if asked for: the measures of all polygons -> a few lines about them. */
 #ifndef SURFMINK_COMMAND_SUMMARY_H
 #define SURFMINK_COMMAND_SUMMARY_H
 

@@ -1,4 +1,4 @@
-/* svg.h - step 4 of the command, if asked for: the shapes of a picture -> a file of Scalable Vector Graphics.
+/* svg.h - step 5 of the command, if asked for: the shapes of a picture -> a file of Scalable Vector Graphics.
 
    Every number is printed with two decimals of a pixel, so the same input gives the same bytes. */
 #ifndef SURFMINK_COMMAND_SVG_H

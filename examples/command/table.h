@@ -125,7 +125,8 @@ static double number_at(const table *t, enum column k)
     const char *field = field_at(t, t->place[k], column_name[k]);
     double number;
     if (*field == '\0') malformed(t->in, "column '%s' is empty", column_name[k]);
-    if (!parse_number(field, &number)) malformed(t->in, "'%s' in column '%s' is not a number", field, column_name[k]);
+    if (!parse_number(t->in->powers, field, &number))
+        malformed(t->in, "'%s' in column '%s' is not a number", field, column_name[k]);
     return number;
 }
 

@@ -1,8 +1,9 @@
-/* write.h - step 3 of the command: measures -> lines of a table, or JSON. */
+/* write.h - step 4 of the command: measures -> lines of a table, or JSON. */
 #ifndef SURFMINK_COMMAND_WRITE_H
 #define SURFMINK_COMMAND_WRITE_H
 
 #include "measure.h"
+#include "number.h"
 
 /* One walk over the columns writes all three, so that names and values cannot get out of step. */
 enum row { NAMES, VALUES, JSON_OBJECT };
@@ -10,80 +11,85 @@ enum row { NAMES, VALUES, JSON_OBJECT };
 typedef struct writer {
     enum row row;
     int digits;
+    const powers_of_ten *powers;
     int columns; /* written so far in this row */
 } writer;
 
+/* L, mu_3 or e_3_x: without a rank p is 0, without an axis it is 0. */
+static void put_name(const char *name, int p, char axis)
+{
+    fputs(name, stdout);
+    if (p > 0) printf("_%d", p);
+    if (axis) printf("_%c", axis);
+}
+
 /* What goes before the value. Does the value follow? */
-static int begin_column(writer *w, const char *name)
+static int begin_column(writer *w, const char *name, int p, char axis)
 {
     if (w->columns++ > 0) putchar(w->row == JSON_OBJECT ? ',' : '\t');
-    if (w->row == NAMES) fputs(name, stdout);
-    if (w->row == JSON_OBJECT) printf("\"%s\":", name);
+    if (w->row == VALUES) return 1;
+    if (w->row == JSON_OBJECT) putchar('"');
+    put_name(name, p, axis);
+    if (w->row == JSON_OBJECT) fputs("\":", stdout);
     return w->row != NAMES;
 }
 
 static void put_word(writer *w, const char *name, const char *word)
 {
-    if (!begin_column(w, name)) return;
+    if (!begin_column(w, name, 0, 0)) return;
     if (w->row == JSON_OBJECT) putchar('"');
     put_text(stdout, word, w->row == JSON_OBJECT ? IN_JSON : IN_TABLE);
     if (w->row == JSON_OBJECT) putchar('"');
 }
 
 /* The value may be NULL: undefined. */
-static void put_number(writer *w, const char *name, const double *value)
+static void put_number(writer *w, const char *name, int p, char axis, const double *value)
 {
-    if (!begin_column(w, name)) return;
+    char text[32];
+    if (!begin_column(w, name, p, axis)) return;
     if (value && isfinite(*value))
-        printf("%.*g", w->digits, *value);
+        fwrite(text, 1, (size_t)(write_number(w->powers, text, w->digits, *value) - text), stdout);
     else if (w->row == JSON_OBJECT)
         fputs("null", stdout);
 }
 
 static void put_count(writer *w, const char *name, size_t count)
 {
-    if (begin_column(w, name)) printf("%lu", (unsigned long)count);
-}
-
-static void put_rank(writer *w, const char *name, int p, const double *value)
-{
-    char full_name[32];
-    snprintf(full_name, sizeof full_name, "%s_%d", name, p);
-    put_number(w, full_name, value);
+    if (begin_column(w, name, 0, 0)) printf("%lu", (unsigned long)count);
 }
 
 /* The eigenvector n = 0 of +lambda_p in the plane or in space. */
 static void put_direction(writer *w, int p, size_t dimensions, const measure *m)
 {
-    char name[32];
     double part;
     size_t k;
     int defined = m && m->has_frame && has_direction(m, p);
     for (k = 0; k < dimensions; ++k) {
-        snprintf(name, sizeof name, "e_%d_%c", p, "xyz"[k]);
         part = defined ? cos(m->theta[p]) * m->frame[k] + sin(m->theta[p]) * m->frame[dimensions + k] : 0;
-        put_number(w, name, defined ? &part : NULL);
+        put_number(w, "e", p, "xyz"[k], defined ? &part : NULL);
     }
 }
 
 /* m is NULL for the line of names. */
-static void write_row(const options *o, enum row row, int surface, const char *id, const measure *m)
+static void write_row(const options *o, const powers_of_ten *powers, enum row row, int surface, const char *id,
+                      const measure *m)
 {
     const measure *ok = m && m->status == SURFMINK_OK ? m : NULL;
     writer w;
     int p;
     w.row = row;
     w.digits = o->digits;
+    w.powers = powers;
     w.columns = 0;
     if (row == JSON_OBJECT) putchar('{');
     put_word(&w, "id", id);
     put_count(&w, "n", m ? m->n : 0);
     put_word(&w, "status", m ? surfmink_status_name(m->status) : "");
-    put_number(&w, "L", ok ? &ok->w.length : NULL);
-    put_number(&w, "S", ok ? &ok->w.turning : NULL);
-    put_number(&w, "area", ok && surface != EMBEDDED ? &ok->w.area : NULL);
-    for (p = 1; p <= o->max_rank; ++p) put_rank(&w, "mu", p, ok ? ok->mu + p : NULL);
-    for (p = 1; p <= o->max_rank; ++p) put_rank(&w, "theta", p, ok && has_direction(ok, p) ? ok->theta + p : NULL);
+    put_number(&w, "L", 0, 0, ok ? &ok->length : NULL);
+    put_number(&w, "S", 0, 0, ok ? &ok->turning : NULL);
+    put_number(&w, "area", 0, 0, ok && surface != EMBEDDED ? &ok->area : NULL);
+    for (p = 1; p <= o->max_rank; ++p) put_number(&w, "mu", p, 0, ok ? ok->mu + p : NULL);
+    for (p = 1; p <= o->max_rank; ++p) put_number(&w, "theta", p, 0, ok && has_direction(ok, p) ? ok->theta + p : NULL);
     for (p = 1; p <= o->max_rank && o->directions; ++p) put_direction(&w, p, stride_of(surface), ok);
     fputs(row == JSON_OBJECT ? "}\n" : "\n", stdout);
 }

@@ -93,7 +93,8 @@ static inline void *world_calloc(size_t n, size_t size)
     if (block) memset(block, 0, n * size);
     return block;
 }
-#define main command_main
+#define HAS_POSIX 0 /* streams in memory have nothing to poll */
+#define main      command_main
 #include "examples/surfmink.c"
 #undef main
 #undef calloc
@@ -156,6 +157,7 @@ static void fuzz(bytes in)
     world_in = world_size ? fmemopen((void *)(uintptr_t)world_text, world_size, "rb") : fopen("/dev/null", "rb");
     CLAIM(world_in && world_out && world_err);
     progress_is_shown = 0;
+    held_back.write = NULL; /* of a run that ended early */
     status = run_command();
     fclose(world_out);
     fclose(world_err);
