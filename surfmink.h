@@ -586,7 +586,7 @@ static double surfmink__scale(double m)
 {
     double scale = 1;
     int k; /* not for ever, where -ffast-math lets an infinity through */
-    for (k = 0; k < 6 && m * scale > 1.2676506002282294e30; ++k) scale *= 6.2230152778611417e-61;  /* 2^100, 2^-200 */
+    for (k = 0; k < 6 && m * scale > 1.2676506002282294e30; ++k) scale *= 6.2230152778611417e-61; /* 2^100, 2^-200 */
     for (k = 0; k < 6 && m * scale < 7.8886090522101181e-31; ++k) scale *= 1.6069380442589903e60; /* 2^-100, 2^200 */
     return scale;
 }
@@ -1407,29 +1407,43 @@ SURFMINK__INLINE void SURFMINK__(take)(const double *from, double *to)
     to[2] = from[2 * SURFMINK__LANES];
 }
 
-/* Three ranks from p on, as far as they are asked for. */
+/* Ranks from p on, three a tile, as far as they are asked for. */
 SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SURFMINK__(totals) * t,
-                                              const SURFMINK__(group) * g, SURFMINK__(ranks) * r, int p)
+                                              const SURFMINK__(group) * g, SURFMINK__(ranks) * r, int p, int tiles)
 {
-    double *mu = job->out->mu, *theta = job->out->theta, *components = job->out->g;
-    size_t ranks = (size_t)job->max_rank + 1, count = ranks - (size_t)p < 3 ? ranks - (size_t)p : 3, lane, at, j, k;
-    if (mu || theta) SURFMINK__(spectrum)(r, t->sum[SURFMINK__LENGTH], p, theta != NULL);
-    for (k = 0; k < 6 * SURFMINK__LANES && !(job->unit == 1); ++k) r->g[k] *= job->unit;
+    const surfmink_results *out = job->out;
+    size_t ranks = (size_t)job->max_rank + 1, lane, at, j, k;
+    int tile;
+    for (tile = 0; tile < tiles; ++tile) {
+        if (out->mu || out->theta)
+            SURFMINK__(spectrum)(r + tile, t->sum[SURFMINK__LENGTH], p + 3 * tile, out->theta != NULL);
+        for (k = 0; k < 6 * SURFMINK__LANES && !(job->unit == 1); ++k) r[tile].g[k] *= job->unit;
+    }
     for (k = 0; k < g->good; ++k) {
         lane = g->good_lane[k];
         at = g->outline[lane] * ranks + (size_t)p;
-        if (count == 3) {
-            if (mu) SURFMINK__(take)(r->mu + lane, mu + at);
-            if (theta) SURFMINK__(take)(r->theta + lane, theta + at);
-            if (!components) continue;
-            SURFMINK__(take)(r->g + lane, components + 2 * at);
-            SURFMINK__(take)(r->g + lane + 3 * SURFMINK__LANES, components + 2 * at + 3);
-            continue;
+        for (tile = 0; tile < tiles && p + 3 * tile + 2 <= job->max_rank; ++tile, at += 3) {
+            if (out->mu) SURFMINK__(take)(r[tile].mu + lane, out->mu + at);
+            if (out->theta) SURFMINK__(take)(r[tile].theta + lane, out->theta + at);
+            if (!out->g) continue;
+            SURFMINK__(take)(r[tile].g + lane, out->g + 2 * at);
+            SURFMINK__(take)(r[tile].g + lane + 3 * SURFMINK__LANES, out->g + 2 * at + 3);
         }
-        for (j = 0; j < count && mu; ++j) mu[at + j] = r->mu[j * SURFMINK__LANES + lane];
-        for (j = 0; j < count && theta; ++j) theta[at + j] = r->theta[j * SURFMINK__LANES + lane];
-        for (j = 0; j < 2 * count && components; ++j) components[2 * at + j] = r->g[j * SURFMINK__LANES + lane];
+        if (tile == tiles) continue;
+        for (j = 0; (size_t)(p + 3 * tile) + j < ranks; ++j) {
+            if (out->mu) out->mu[at + j] = r[tile].mu[j * SURFMINK__LANES + lane];
+            if (out->theta) out->theta[at + j] = r[tile].theta[j * SURFMINK__LANES + lane];
+            if (!out->g) continue;
+            out->g[2 * (at + j)] = r[tile].g[2 * j * SURFMINK__LANES + lane];
+            out->g[2 * (at + j) + 1] = r[tile].g[(2 * j + 1) * SURFMINK__LANES + lane];
+        }
     }
+}
+
+/* How many tiles of three ranks are left from rank p on, of those that are done in one go. */
+SURFMINK__KERNEL int SURFMINK__(tiles)(const surfmink__job *job, int p)
+{
+    return job->max_rank - p < 3 * SURFMINK__TILES ? (job->max_rank - p) / 3 + 1 : SURFMINK__TILES;
 }
 
 SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) * t)
@@ -1443,21 +1457,23 @@ SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) * t)
 
 /* Outlines that fit into the rows whole. */
 SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMINK__(group) * g, SURFMINK__(rows) * r,
-                                                SURFMINK__(totals) * t)
+                                                SURFMINK__(totals) * t, SURFMINK__(ranks) * sum)
 {
-    SURFMINK__(ranks) sum;
     size_t lane;
-    int p;
+    int first, tile, tiles;
     SURFMINK__(begin)(t);
     SURFMINK__(measure_rows)(job, g, 0, g->rows, r, t);
     SURFMINK__(judge)(job, t);
     SURFMINK__(write)(job, t, g);
     for (lane = 0; lane < SURFMINK__LANES; ++lane) t->behind[lane] = -r->turned[lane];
     if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, t->behind, t->sum[SURFMINK__TURNING]);
-    for (p = 1; p <= job->max_rank; p += 3) {
-        SURFMINK__(power_sums)
-        (r->length, r->turned, r->column[2], r->column[3], g->rows, p + 3 <= job->max_rank, sum.g);
-        SURFMINK__(write_ranks)(job, t, g, &sum, p);
+    for (first = 1; first <= job->max_rank; first += 3 * SURFMINK__TILES) {
+        tiles = SURFMINK__(tiles)(job, first);
+        for (tile = 0; tile < tiles; ++tile)
+            SURFMINK__(power_sums)
+            (r->length, r->turned, r->column[2], r->column[3], g->rows, first + 3 * tile + 3 <= job->max_rank,
+             sum[tile].g);
+        SURFMINK__(write_ranks)(job, t, g, sum, first, tiles);
     }
 }
 
@@ -1543,10 +1559,10 @@ SURFMINK__KERNEL void SURFMINK__(cut)(const surfmink__job *job, size_t outline, 
 /* Outlines with more corners than there are rows, in strips: once over them for S, which every phase needs, and once
    for each 24 ranks. */
 SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMINK__(group) * g, SURFMINK__(rows) * r,
-                                               SURFMINK__(totals) * t)
+                                               SURFMINK__(totals) * t, SURFMINK__(ranks) * sum)
 {
     SURFMINK__(totals) again;
-    SURFMINK__(ranks) part, sum[SURFMINK__TILES];
+    SURFMINK__(ranks) part;
     size_t row, rows, lane, k;
     int first, tile, tiles, kept = job->scratch && job->kind != SURFMINK__PLANE;
     for (row = 0; row < g->rows; row += SURFMINK__ROWS) {
@@ -1560,7 +1576,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
     SURFMINK__(write)(job, t, g);
     for (lane = 1; lane < SURFMINK__LANES; ++lane) t->sum[SURFMINK__TURNING][lane] = t->sum[SURFMINK__TURNING][0];
     for (first = 1; first <= job->max_rank && g->good > 0; first += 3 * SURFMINK__TILES) {
-        tiles = job->max_rank - first < 3 * SURFMINK__TILES ? (job->max_rank - first) / 3 + 1 : SURFMINK__TILES;
+        tiles = SURFMINK__(tiles)(job, first);
         for (tile = 0; tile < tiles; ++tile)
             for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile].g[k] = 0;
         for (row = 0; row < g->rows; row += SURFMINK__ROWS) {
@@ -1577,11 +1593,10 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
                 for (k = 0; k < 6 * SURFMINK__LANES; ++k) sum[tile].g[k] += part.g[k];
             }
         }
-        for (tile = 0; tile < tiles; ++tile) {
+        for (tile = 0; tile < tiles; ++tile)
             for (k = 0; k < 6 * SURFMINK__LANES; ++k)
                 if (k % SURFMINK__LANES) sum[tile].g[k - k % SURFMINK__LANES] += sum[tile].g[k];
-            SURFMINK__(write_ranks)(job, t, g, sum + tile, first + 3 * tile);
-        }
+        SURFMINK__(write_ranks)(job, t, g, sum, first, tiles);
     }
 }
 
@@ -1592,6 +1607,7 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
 {
     SURFMINK__(rows) r;
     SURFMINK__(totals) t;
+    SURFMINK__(ranks) sum[SURFMINK__TILES];
     SURFMINK__(group) g;
     const size_t *offset = job->offset + first;
     size_t place[SURFMINK__ROWS + 2] = {0}, order[SURFMINK__WINDOW], i, n, lane, at, fitting;
@@ -1623,14 +1639,14 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
             t.expected[lane] = (double)(ptrdiff_t)g.count[lane];
         }
         g.rows = g.count[g.used - 1];
-        SURFMINK__(measure_short)(job, &g, &r, &t);
+        SURFMINK__(measure_short)(job, &g, &r, &t, sum);
         for (lane = 0; lane < g.used && g.good < g.used; ++lane)
             left[g.outline[lane] - first] = !(t.sum[SURFMINK__GOOD][lane] > 0);
     }
     g.strips = 1;
     for (i = fitting; i < at; ++i) {
         SURFMINK__(cut)(job, first + order[i], &g, &r, &t);
-        SURFMINK__(measure_long)(job, &g, &r, &t);
+        SURFMINK__(measure_long)(job, &g, &r, &t, sum);
         left[order[i]] = g.good == 0;
     }
 }

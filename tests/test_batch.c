@@ -339,7 +339,8 @@ static void measure_one(const bundle *b, size_t i, single *s)
    L      relative: 1e-15 each
    S      relative: 2.5e-15 each, times c; in the plane not at all
    area   2e-15 each of half the sum of |x_i - x_0| l_i; on the sphere large ones are 2 pi - S, and as good as S
-   mu, g, theta  mu_p, g_p / L, mu_p p theta_p at rank 12: 1e-14 (1 + c)^2, half of what ACCURACY grants the two of them;
+   mu, g, theta  mu_p, g_p / L, mu_p p theta_p at rank 12: 1e-14 (1 + c)^2, half of what ACCURACY grants the two of
+   them;
           4e-14 at c = 1, where a phase near 2 pi is known to two units in its last place by each. In the plane, where S
           is known, 2e-14 (1 + c). At other ranks in proportion to p + 2, for not all is the phases' fault */
 static const double LIMIT[OUTPUTS] = {0, 0, 2e-15, 5e-15, 4e-15, 4e-14, 4e-14, 4e-14};
