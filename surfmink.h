@@ -464,7 +464,7 @@ static const double surfmink__two_pi = 6.28318530717958647693;
 static const double surfmink__eps = 2.220446049250313e-16; /* distance from 1 to the next double */
 
 /* Rows of corners that are worked on at a time, and ranks (three times this) that are summed in one pass over them:
-   they stay in the first-level cache. Outlines of a batch that are sorted together. */
+   they stay in the first-level cache. Outlines of a batch that are sorted together, at most. */
 #define SURFMINK__ROWS   64
 #define SURFMINK__TILES  8
 #define SURFMINK__WINDOW 64
@@ -504,11 +504,13 @@ static const double surfmink__eps = 2.220446049250313e-16; /* distance from 1 to
 typedef double surfmink__pair __attribute__((vector_size(16), may_alias));
 #endif
 #if defined(__GNUC__)
-#define SURFMINK__INLINE static __inline__ __attribute__((always_inline))
-#define SURFMINK__KERNEL static __inline__ /* no warning about what an instance does not use */
+#define SURFMINK__INLINE       static __inline__ __attribute__((always_inline))
+#define SURFMINK__KERNEL       static __inline__ /* no warning about what an instance does not use */
+#define SURFMINK__PREFETCH(at) __builtin_prefetch(at)
 #else
-#define SURFMINK__INLINE static
-#define SURFMINK__KERNEL static
+#define SURFMINK__INLINE       static
+#define SURFMINK__KERNEL       static
+#define SURFMINK__PREFETCH(at) (void)(at)
 #endif
 
 #ifdef __cplusplus
@@ -613,6 +615,7 @@ enum { SURFMINK__LENGTH, SURFMINK__TURNING, SURFMINK__AREA, SURFMINK__TURNS, SUR
 typedef struct surfmink__job {
     const double *corner, *normal; /* embedded only: normal */
     const size_t *offset;
+    size_t end; /* corners before the end of the batch */
     const surfmink_results *out;
     double *scratch;
     surfmink_functionals *w; /* of a single outline, or NULL */
@@ -840,8 +843,8 @@ SURFMINK__INLINE surfmink__real SURFMINK__(atan2)(surfmink__real y, surfmink__re
     return SURFMINK__SIGNED(angle, y);
 }
 
-/* exp(2 pi i t), |t| < 2^50: (-1)^k exp(pi i r) with an integer k and |r| <= 1/2, both exact. Worst error of either part
-   in 1e7 angles: 4.0e-16, at t = 0x1.000004164239ap-2. */
+/* exp(2 pi i t), |t| < 2^50: (-1)^k exp(pi i r) with an integer k and |r| <= 1/2, both exact. Worst error of either
+   part in 1e7 angles: 4.0e-16, at t = 0x1.000004164239ap-2. */
 SURFMINK__INLINE void SURFMINK__(turns)(surfmink__real t, surfmink__real *re, surfmink__real *im)
 {
     const surfmink__real two = SURFMINK__SET(2.0), magic = SURFMINK__SET(6755399441055744.0); /* 1.5 * 2^52 */
@@ -1598,6 +1601,17 @@ SURFMINK__KERNEL void SURFMINK__(measure_long)(const surfmink__job *job, SURFMIN
     }
 }
 
+/* Asks for the corners from number `at` on, which the next window will want, and want in the order of their number. */
+SURFMINK__KERNEL void SURFMINK__(prefetch)(const surfmink__job *job, size_t at, size_t count)
+{
+    size_t dim = job->kind == SURFMINK__PLANE ? 2 : 3, line = 8, i;
+    if (at >= job->end || count > job->end - at) return;
+    for (i = dim * at; i < dim * (at + count); i += line) {
+        SURFMINK__PREFETCH(job->corner + i);
+        if (job->kind == SURFMINK__EMBEDDED) SURFMINK__PREFETCH(job->normal + i);
+    }
+}
+
 /* Outlines first .. first + count - 1 of a batch, at most SURFMINK__WINDOW. Those that fit are sorted by their number
    of corners, so that the lanes of a group are of like length.
    left  count  out: 1 where nothing was written because the outline is not ordinary */
@@ -1609,6 +1623,7 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
     SURFMINK__(group) g;
     const size_t *offset = job->offset + first;
     size_t place[SURFMINK__ROWS + 2] = {0}, order[SURFMINK__WINDOW], i, n, lane, at, fitting;
+    size_t ahead = offset[count];
     for (i = 0; i < count; ++i) {
         n = offset[i + 1] - offset[i];
         left[i] = 0;
@@ -1637,6 +1652,8 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
             t.expected[lane] = (double)(ptrdiff_t)g.count[lane];
         }
         g.rows = g.count[g.used - 1];
+        SURFMINK__(prefetch)(job, ahead, g.rows * SURFMINK__LANES);
+        ahead += g.rows * SURFMINK__LANES;
         SURFMINK__(measure_short)(job, &g, &r, &t, sum);
         for (lane = 0; lane < g.used && g.good < g.used; ++lane)
             left[g.outline[lane] - first] = !(t.sum[SURFMINK__GOOD][lane] > 0);
@@ -2495,8 +2512,8 @@ typedef struct surfmink__curve {
     size_t first;
 } surfmink__curve;
 
-/* Fills rows with l z and z = exp(i f) of the edges from number `start` of the curve on; `turned` is carried from call to
-   call. */
+/* Fills rows with l z and z = exp(i f) of the edges from number `start` of the curve on; `turned` is carried from call
+   to call. */
 static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count, surfmink__sum *turned,
                            surfmink__rows *r)
 {
@@ -2819,6 +2836,7 @@ static surfmink__job surfmink__job_of(enum surfmink__kind kind, const double *co
     job.radius = job.unit = radius;
     job.scale = 1;
     job.offset = offset;
+    job.end = 0;
     job.max_rank = max_rank;
     job.out = out;
     job.scratch = scratch;
@@ -2961,21 +2979,30 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
     return 0;
 }
 
-static size_t surfmink__batch(const surfmink__job *job, size_t count, surfmink__measure_window *measure)
+/* How many outlines to take at a time: few if they are long, so that threads have something to share. */
+static size_t surfmink__window_size(const surfmink__job *job, size_t count)
 {
-    const ptrdiff_t windows = (ptrdiff_t)((count + SURFMINK__WINDOW - 1) / SURFMINK__WINDOW);
+    size_t size = count / ((job->offset[count] - job->offset[0]) / 4096 + 1);
+    return size < 1 ? 1 : size > SURFMINK__WINDOW ? SURFMINK__WINDOW : size;
+}
+
+static size_t surfmink__batch(surfmink__job *job, size_t count, surfmink__measure_window *measure)
+{
     const int known = surfmink__known_job(job);
+    const size_t size = surfmink__window_size(job, count);
+    const ptrdiff_t windows = (ptrdiff_t)(count / size + (count % size > 0));
     size_t refused = 0;
     ptrdiff_t k;
+    job->end = job->offset[count];
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 4) reduction(+ : refused)
+#pragma omp parallel for schedule(dynamic) reduction(+ : refused)
 #endif
     for (k = 0; k < windows; ++k) {
         unsigned char left[SURFMINK__WINDOW];
-        size_t first = (size_t)k * SURFMINK__WINDOW, i;
-        size_t size = count - first < SURFMINK__WINDOW ? count - first : SURFMINK__WINDOW;
-        if (known) measure(job, first, size, left);
-        for (i = 0; i < size; ++i)
+        const size_t first = (size_t)k * size, some = count - first < size ? count - first : size;
+        size_t i;
+        if (known) measure(job, first, some, left);
+        for (i = 0; i < some; ++i)
             if (!known || left[i]) refused += (size_t)surfmink__left_over(job, first + i);
     }
     return refused;
