@@ -2995,7 +2995,7 @@ static size_t surfmink__batch(surfmink__job *job, size_t count, surfmink__measur
     ptrdiff_t k;
     job->end = job->offset[count];
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic) reduction(+ : refused)
+#pragma omp parallel for schedule(guided) reduction(+ : refused)
 #endif
     for (k = 0; k < windows; ++k) {
         unsigned char left[SURFMINK__WINDOW];
