@@ -2979,11 +2979,12 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
     return 0;
 }
 
-/* How many outlines to take at a time: few if they are long, so that threads have something to share. */
+/* How many outlines to take at a time: few if they are long, so that threads have something to share; else full groups. */
 static size_t surfmink__window_size(const surfmink__job *job, size_t count)
 {
-    size_t size = count / ((job->offset[count] - job->offset[0]) / 4096 + 1);
-    return size < 1 ? 1 : size > SURFMINK__WINDOW ? SURFMINK__WINDOW : size;
+    size_t size = count / ((job->offset[count] - job->offset[0]) / 16384 + 1);
+    if (size >= SURFMINK__WINDOW) return SURFMINK__WINDOW;
+    return size > 8 ? size - size % 8 : size > 0 ? size : 1;
 }
 
 static size_t surfmink__batch(surfmink__job *job, size_t count, surfmink__measure_window *measure)
