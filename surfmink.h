@@ -2979,7 +2979,8 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
     return 0;
 }
 
-/* How many outlines to take at a time: few if they are long, so that threads have something to share; else full groups. */
+/* How many outlines to take at a time: few if they are long, so that threads have something to share; else full groups.
+   */
 static size_t surfmink__window_size(const surfmink__job *job, size_t count)
 {
     size_t size = count / ((job->offset[count] - job->offset[0]) / 16384 + 1);
