@@ -475,10 +475,16 @@ static const double surfmink__eps = 2.220446049250313e-16; /* distance from 1 to
 #define SURFMINK__AVX2   2
 #define SURFMINK__AVX512 3
 #define SURFMINK__NEON   4
-#if !defined(SURFMINK_NO_SIMD) && defined(__GNUC__) && defined(__STDC_HOSTED__) && __STDC_HOSTED__
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 5)
+#define SURFMINK__GNU_C
+#endif
+#if defined(_WIN32) && !defined(__clang__)
+#define SURFMINK__NARROW /* gcc for Windows aligns the stack to 16 bytes only, whatever one asks for */
+#endif
+#if !defined(SURFMINK_NO_SIMD) && defined(SURFMINK__GNU_C) && defined(__STDC_HOSTED__) && __STDC_HOSTED__
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && !defined(SURFMINK__NARROW)
 #define SURFMINK__NATIVE SURFMINK__AVX512
-#elif defined(__AVX2__) && defined(__FMA__)
+#elif defined(__AVX2__) && defined(__FMA__) && !defined(SURFMINK__NARROW)
 #define SURFMINK__NATIVE SURFMINK__AVX2
 #elif defined(__SSE2__)
 #define SURFMINK__NATIVE SURFMINK__SSE2
@@ -489,7 +495,7 @@ static const double surfmink__eps = 2.220446049250313e-16; /* distance from 1 to
 #ifndef SURFMINK__NATIVE
 #define SURFMINK__NATIVE SURFMINK__PLAIN
 #endif
-#if defined(SURFMINK_DISPATCH) && SURFMINK__NATIVE == SURFMINK__SSE2
+#if defined(SURFMINK_DISPATCH) && SURFMINK__NATIVE == SURFMINK__SSE2 && !defined(SURFMINK__NARROW)
 #define SURFMINK__DISPATCHES
 #endif
 #if SURFMINK__NATIVE == SURFMINK__NEON
@@ -1365,6 +1371,8 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         fine = fine & SURFMINK__LESS(length * SURFMINK__SET(job->unit), SURFMINK__SET(1.7e308));
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(area) * SURFMINK__SET(job->unit) * SURFMINK__SET(job->unit),
                                      SURFMINK__SET(1.7e308));
+        /* whatever becomes of the rest, nothing is divided by zero */
+        SURFMINK__STORE(t->sum[SURFMINK__LENGTH] + lane, SURFMINK__SELECT(fine, length, SURFMINK__SET(1.0)));
         SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, SURFMINK__SELECT(fine, turning, SURFMINK__SET(1.0)));
         SURFMINK__STORE(t->known + lane, known);
         SURFMINK__STORE(t->sum[SURFMINK__GOOD] + lane, SURFMINK__WHERE(fine, SURFMINK__SET(1.0)));
@@ -1421,7 +1429,7 @@ SURFMINK__KERNEL void SURFMINK__(write_ranks)(const surfmink__job *job, const SU
     for (tile = 0; tile < tiles; ++tile) {
         if (out->mu || out->theta)
             SURFMINK__(spectrum)(r + tile, t->sum[SURFMINK__LENGTH], p + 3 * tile, out->theta != NULL);
-        for (k = 0; k < 6 * SURFMINK__LANES && !(job->unit == 1); ++k) r[tile].g[k] *= job->unit;
+        for (k = 0; k < 6 * SURFMINK__LANES && (job->unit < 1 || job->unit > 1); ++k) r[tile].g[k] *= job->unit;
     }
     for (k = 0; k < g->good; ++k) {
         lane = g->good_lane[k];
@@ -1469,6 +1477,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMI
     SURFMINK__(measure_rows)(job, g, 0, g->rows, r, t);
     SURFMINK__(judge)(job, t);
     SURFMINK__(write)(job, t, g);
+    if (g->good == 0) return;
     for (lane = 0; lane < SURFMINK__LANES; ++lane) t->behind[lane] = -r->turned[lane];
     if (job->kind != SURFMINK__PLANE) SURFMINK__(phases)(r, g->rows, t->behind, t->sum[SURFMINK__TURNING]);
     for (first = 1; first <= job->max_rank; first += 3 * SURFMINK__TILES) {
