@@ -1631,7 +1631,7 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
     SURFMINK__(ranks) sum[SURFMINK__TILES];
     SURFMINK__(group) g;
     const size_t *offset = job->offset + first;
-    size_t place[SURFMINK__ROWS + 2] = {0}, order[SURFMINK__WINDOW], i, n, lane, at, fitting;
+    size_t place[SURFMINK__ROWS + 2] = {0}, order[SURFMINK__WINDOW], i, n, lane, at, fitting = 0;
     size_t ahead = offset[count];
     for (i = 0; i < count; ++i) {
         n = offset[i + 1] - offset[i];
