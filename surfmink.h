@@ -705,9 +705,10 @@ typedef struct surfmink__job {
 #elif SURFMINK__INSTANCE == SURFMINK__AVX512
 #define SURFMINK__(name)        surfmink__##name##_avx512
 #define SURFMINK__WIDTH         8
-#define SURFMINK__MIN(a, b)     _mm512_min_pd(a, b)
-#define SURFMINK__MAX(a, b)     _mm512_max_pd(a, b)
-#define SURFMINK__ROOT(a)       _mm512_sqrt_pd(a)
+/* all lanes of masked ones, for g++ 12 warns about what its header does in the others */
+#define SURFMINK__MIN(a, b)     _mm512_maskz_min_pd((__mmask8)-1, a, b)
+#define SURFMINK__MAX(a, b)     _mm512_maskz_max_pd((__mmask8)-1, a, b)
+#define SURFMINK__ROOT(a)       _mm512_maskz_sqrt_pd((__mmask8)-1, a)
 #define SURFMINK__FMA(a, b, c)  _mm512_fmadd_pd(a, b, c)
 #define SURFMINK__FNMA(a, b, c) _mm512_fnmadd_pd(a, b, c)
 #define SURFMINK__BARRIER(a)    __asm__("" : "+v"(a))
