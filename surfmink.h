@@ -1071,6 +1071,7 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
             /* no spike, no edge of length 0, and nothing out of range */
             fine = SURFMINK__LESS(SURFMINK__FNMA(SURFMINK__SET(4e-15), along, SURFMINK__SET(1e-250)),
                                   SURFMINK__ABS(cross));
+            fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-140), length);
             b_below = SURFMINK__LESS(b[1], zero);
             passes = (a_below ^ b_below) & (b_below ^ SURFMINK__LESS(zero, cross));
             d[0] = x[0] - p[0];
@@ -1369,6 +1370,8 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
         area = SURFMINK__LOAD(t->sum[SURFMINK__AREA] + lane);
         if (job->kind == SURFMINK__SPHERE) fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), area);
+        fine =
+            fine & SURFMINK__LESS(SURFMINK__SET(1e-300), length * SURFMINK__SET(job->unit)); /* as it will be written */
         fine = fine & SURFMINK__LESS(length * SURFMINK__SET(job->unit), SURFMINK__SET(1.7e308));
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(area) * SURFMINK__SET(job->unit) * SURFMINK__SET(job->unit),
                                      SURFMINK__SET(1.7e308));
