@@ -315,7 +315,7 @@ SURFMINK_DEF int surfmink_transport_vector(const double *corner, const double *n
    phase       n      radians, from surfmink_phases
    max_rank           P >= 0; errors grow slowly with it (1e-14 at 128)
    g         2 P + 2  out: g[2p], g[2p+1]; g[0] = L, g[1] = 0
-   Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT. Cost: O(n P), one sine and cosine an edge and 16 ranks, 3 KiB of
+   Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT. Cost: O(n P), one sine and cosine an edge and 24 ranks, 10 KiB of
    stack. Paper 3.3, eq. (integrated-components-polygon). */
 SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase, size_t n, int max_rank, double *g);
 
