@@ -44,10 +44,11 @@ static void add_to_batch(batch *b, const polygon *p)
     b->id = (char *)grow(b->id, &b->id_room, b->id_length + length, 1);
     b->polygon[b->count] = *p;
     b->offset[++b->count] = end;
-    memcpy(b->corner + at * stride, p->corner, p->n * stride * sizeof *p->corner);
-    memcpy(b->line + at, p->line, p->n * sizeof *p->line);
     memcpy(b->id + b->id_length, p->id, length);
     b->id_length += length;
+    if (p->n == 0) return; /* nor need there be any arrays yet */
+    memcpy(b->corner + at * stride, p->corner, p->n * stride * sizeof *p->corner);
+    memcpy(b->line + at, p->line, p->n * sizeof *p->line);
     if (p->surface != EMBEDDED) return;
     b->normal = (double *)grow(b->normal, &b->normal_room, end * 3, sizeof *b->normal);
     memcpy(b->normal + at * 3, p->normal, p->n * 3 * sizeof *p->normal);
@@ -61,10 +62,11 @@ static void place_polygons(batch *b)
     for (i = 0; i < b->count; ++i) {
         polygon *p = &b->polygon[i];
         p->id = id;
+        id += strlen(id) + 1;
+        if (p->n == 0) continue;
         p->corner = b->corner + b->offset[i] * stride_of(p->surface);
         p->normal = p->surface == EMBEDDED ? b->normal + b->offset[i] * 3 : NULL;
         p->line = b->line + b->offset[i];
-        id += strlen(id) + 1;
     }
 }
 
