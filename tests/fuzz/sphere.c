@@ -45,7 +45,8 @@ static void as_callbacks(outline *o)
     if (!(o->radius > 1e-290 && o->radius < 1e290)) return; /* lengths under- or overflow */
     if (!measure_twice(o, &m) || m.status != SURFMINK_OK || has_spike(o, &m) || m.w.condition > 1e5) return;
     CLAIM(status == SURFMINK_OK);
-    loose = 1e-12 * (1 + m.w.condition) * (1 + m.w.condition);
+    loose = 1 + m.w.condition + fabs(m.w.curvature) / m.w.turning; /* 1 + c, c as in ACCURACY */
+    loose = 1e-12 * loose * loose;
     for (p = 0; p <= RANK && loose < 0.1; ++p) CLAIM(fabs(mu[p] - m.mu[p]) <= loose);
 }
 
