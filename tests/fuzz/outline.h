@@ -97,16 +97,17 @@ static int has_spike(const outline *o, const measured *m)
 /* What an exact copy of an outline, drawn otherwise, has to agree in: all that does not depend on how it is drawn. */
 static void claim_alike(const measured *a, const measured *b)
 {
-    double loose;
+    double c, loose;
     int p;
     if (a->status != SURFMINK_OK || b->status != SURFMINK_OK) {
         CLAIM(a->status != SURFMINK_OK || a->w.condition > 1e6 || b->status == a->status);
         return;
     }
-    loose = 1e-13 * (1 + a->w.condition) * (1 + a->w.condition);
+    c = a->w.condition + fabs(a->w.curvature) / a->w.turning; /* as in ACCURACY: near half a sphere S is little */
+    loose = 1e-13 * (1 + c) * (1 + c);
     if (!(loose < 0.1)) return;
     CLAIM(fabs(a->w.length - b->w.length) <= 1e-14 * a->w.length);
-    CLAIM(fabs(a->w.turning - b->w.turning) <= 1e-14 * (1 + a->w.condition) * a->w.turning);
+    CLAIM(fabs(a->w.turning - b->w.turning) <= 1e-14 * (1 + c) * a->w.turning);
     for (p = 0; p <= RANK; ++p) CLAIM(fabs(a->mu[p] - b->mu[p]) <= loose);
 }
 
