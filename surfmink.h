@@ -1645,7 +1645,8 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
         else
             ++place[n <= SURFMINK__ROWS ? n : SURFMINK__ROWS + 1];
     }
-    for (n = 3, at = 0; n < SURFMINK__ROWS + 2; ++n) {
+    at = 0;
+    for (n = 3; n < SURFMINK__ROWS + 2; ++n) {
         fitting = at;
         at += place[n];
         place[n] = fitting; /* of those with fewer corners */
