@@ -105,9 +105,10 @@ mkdir -p "$work/vendor"
 cp surfmink.h "$work/vendor/surfmink.h"
 cp surfmink.h "$work/vendor/tensors.h"
 printf '#define SURFMINK_IMPLEMENTATION\n#include "vendor/surfmink.h"\n' > "$work/vendored.c"
-printf '#define SURFMINK_FILE "tensors.h"\n#define SURFMINK_IMPLEMENTATION\n#include "vendor/tensors.h"\n' > "$work/renamed.c"
+printf '#define SURFMINK_IMPLEMENTATION\n#include "vendor/tensors.h"\n' > "$work/renamed.c"
 check "in a folder of the program's" "gcc -std=c99 -Wall -Wextra -c $work/vendored.c -o $work/vendored.o"
-check "under another name" "gcc -std=c99 -Wall -Wextra -DSURFMINK_DISPATCH -c $work/renamed.c -o $work/vendored.o"
+check "under another name" "gcc -std=c99 -Wall -Wextra -DSURFMINK_DISPATCH -DSURFMINK_FILE='\"tensors.h\"' \
+    -c $work/renamed.c -o $work/vendored.o"
 cat > "$work/freestanding.c" << 'END'
 #define SURFMINK_SIN my_sin
 #define SURFMINK_COS my_cos
