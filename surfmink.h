@@ -1261,8 +1261,7 @@ typedef struct SURFMINK__(group) {
     size_t strips;                                      /* one outline or several? */
 } SURFMINK__(group);
 
-/* Where the corners of a lane stand: the one before the rows at hand, the rows themselves, and what comes behind them.
-   */
+/* Where the corners of a lane stand: the one before the rows at hand, those of the rows, and the one behind them. */
 typedef struct SURFMINK__(run) {
     size_t before, at, count, behind;
 } SURFMINK__(run);
@@ -1344,9 +1343,9 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
     SURFMINK__(angles)(r, rows, t);
 }
 
-/* Which lanes are ordinary, so that these results stand: t->good becomes 1 or 0. The rest is left to the calls that
-   look at each corner. S is what the surface says it is: 2 pi in the plane, 2 pi - area on the sphere, which has more
-   digits than a sum of rounded turns. Phases go by the sum, for that closes. */
+/* Which lanes are ordinary, so that these results stand: their number of good rows becomes 1, that of others 0. The
+   rest is left to the calls that look at each corner. S is what the surface says it is: 2 pi in the plane, 2 pi - area
+   on the sphere, which has more digits than a sum of rounded turns. Phases go by the sum, for that closes. */
 SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(totals) *t)
 {
     surfmink__real length, turning, area, known;
