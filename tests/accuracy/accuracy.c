@@ -632,10 +632,10 @@ static void compare(const polygon *o, const measured *m, const double *mu, const
 {
     double allowed;
     int p, q;
-    v->condition = (double)((m->turned + fabsq(2 * M_PIq - m->turning)) / m->turning);
+    v->condition = m->turned > m->turning ? (double)(m->turned / m->turning) : 1;
     v->error[LENGTH] = v->judged[LENGTH] = (double)fabsq(w->length / m->length - 1);
     v->error[TURNING] = (double)fabsq(w->turning - m->turning);
-    v->judged[TURNING] = v->error[TURNING] / (double)(m->turned + fabsq(2 * M_PIq - m->turning));
+    v->judged[TURNING] = v->error[TURNING] / (double)m->turning / v->condition;
     if (o->surface != EMBEDDED && !m->crosses && m->area_terms > 1e-280Q &&
         m->area_terms < 1e300Q) { /* else it has no double */
         v->error[AREA] = (double)fabsq(w->area / m->area - 1);
@@ -646,7 +646,7 @@ static void compare(const polygon *o, const measured *m, const double *mu, const
         v->error[ANGLE] =
             worse(v->error[ANGLE], (double)(m->mu[p] * fabsq(remainderq(p * (quad)theta[p] - m->angle[p], 2 * M_PIq))));
     }
-    allowed = o->surface == PLANE ? 1 + v->condition : (1 + v->condition) * (1 + v->condition);
+    allowed = 1 + v->condition;
     for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / allowed;
 }
 
