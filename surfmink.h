@@ -751,6 +751,7 @@ typedef struct SURFMINK__ALIGNED SURFMINK__(totals) {
     double sum[SURFMINK__SUMS][SURFMINK__LANES];
     double known[SURFMINK__LANES];    /* S, as well as it can be known */
     double sharpest[SURFMINK__LANES]; /* largest |alpha_i| */
+    double widest[SURFMINK__LANES];   /* largest |alpha_0 + ... + alpha_i| */
     double largest[SURFMINK__LANES];  /* largest sine or cosine, whose common factor is that of the unit */
     double expected[SURFMINK__LANES]; /* good rows, if all are */
     double behind[SURFMINK__LANES];   /* turns between the middle of edge 0 and the lane */
@@ -1105,22 +1106,26 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
 /* turned_i = alpha_0 + ... + alpha_i of the rows at hand, whose sum is the last of them. */
 SURFMINK__KERNEL void SURFMINK__(angles)(SURFMINK__(rows) *r, size_t rows, SURFMINK__(totals) *t)
 {
-    surfmink__real angle, size, turned, turns, sharpest;
+    surfmink__real angle, size, sum, lost, turned, turns, sharpest, widest;
     size_t lane, i;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
-        turned = turns = SURFMINK__SET(0.0);
+        sum = lost = turned = turns = SURFMINK__SET(0.0);
         sharpest = SURFMINK__LOAD(t->sharpest + lane);
+        widest = SURFMINK__SET(0.0);
         for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
             angle = SURFMINK__(atan2)(SURFMINK__LOAD(r->turned + i), SURFMINK__LOAD(r->cosine + i));
             size = SURFMINK__ABS(angle);
-            turned = turned + angle;
+            SURFMINK__(add_length)(angle, &sum, &lost);
+            turned = sum + lost;
             turns = turns + size;
             sharpest = SURFMINK__MAX(sharpest, size);
+            widest = SURFMINK__MAX(widest, SURFMINK__ABS(turned));
             SURFMINK__STORE(r->turned + i, turned);
         }
         SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, turned);
         SURFMINK__STORE(t->sum[SURFMINK__TURNS] + lane, turns);
         SURFMINK__STORE(t->sharpest + lane, sharpest);
+        SURFMINK__STORE(t->widest + lane, widest);
     }
 }
 
@@ -1250,6 +1255,7 @@ SURFMINK__KERNEL void SURFMINK__(spectrum)(SURFMINK__(ranks) *r, const double *l
 /* Outlines of at most SURFMINK__ROWS corners, a lane each; or the strips of one that is longer. */
 typedef struct SURFMINK__(group) {
     surfmink__sum sum[SURFMINK__SUMS][SURFMINK__LANES]; /* strips: sums over the rows so far */
+    double widest[SURFMINK__LANES];                     /* strips: the same of the sum of turns */
     size_t outline[SURFMINK__LANES];                    /* which one of the batch */
     size_t base[SURFMINK__LANES];                       /* its first corner */
     size_t size[SURFMINK__LANES];                       /* how many it has */
@@ -1345,7 +1351,8 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
 
 /* Which lanes are ordinary, so that these results stand: their number of good rows becomes 1, that of others 0. The
    rest is left to the calls that look at each corner. S is what the surface says it is: 2 pi in the plane, 2 pi - area
-   on the sphere, which has more digits than a sum of rounded turns. Phases go by the sum, for that closes. */
+   on the sphere, which has more digits than a sum of rounded turns. Phases go by the sum, for that closes. Rounding is
+   multiplied by 1 / S, and where the sum of the turns exceeds S by far on the way, once more by that: such are left. */
 SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(totals) *t)
 {
     surfmink__real length, turning, area, known;
@@ -1364,8 +1371,9 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->sharpest + lane), SURFMINK__SET(3.14159265358978)); /* spikes */
         fine = fine & SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(1e-3), SURFMINK__LOAD(t->sum[SURFMINK__TURNS] + lane),
-                                                   SURFMINK__SET(1e-3)),
+                                                   SURFMINK__SET(0.3)),
                                      known);
+        fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->widest + lane), SURFMINK__SET(2.0) * known);
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
         area = SURFMINK__LOAD(t->sum[SURFMINK__AREA] + lane);
         if (job->kind == SURFMINK__SPHERE) fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), area);
@@ -1466,7 +1474,7 @@ SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) *t)
     size_t lane, k;
     for (lane = 0; lane < SURFMINK__LANES; ++lane) {
         for (k = 0; k < SURFMINK__SUMS; ++k) t->sum[k][lane] = 0;
-        t->sharpest[lane] = t->largest[lane] = 0;
+        t->sharpest[lane] = t->widest[lane] = t->largest[lane] = 0;
     }
 }
 
@@ -1495,13 +1503,15 @@ SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMI
 SURFMINK__KERNEL void SURFMINK__(measure_strips)(const surfmink__job *job, SURFMINK__(group) *g, size_t row,
                                                  size_t rows, SURFMINK__(rows) *r, SURFMINK__(totals) *t)
 {
-    double before;
+    double before, wide;
     size_t lane, i, k;
     if (row == 0) SURFMINK__(begin)(t);
     SURFMINK__(measure_rows)(job, g, row, rows, r, t);
     for (lane = 0; lane < SURFMINK__LANES; ++lane) {
         for (k = 0; k < SURFMINK__SUMS && row == 0; ++k) g->sum[k][lane].high = g->sum[k][lane].low = 0;
         before = surfmink__value(&g->sum[SURFMINK__TURNING][lane]);
+        wide = surfmink__abs(before) + t->widest[lane];
+        if (row == 0 || wide > g->widest[lane]) g->widest[lane] = wide;
         for (i = lane; i < rows * SURFMINK__LANES && job->kind != SURFMINK__PLANE; i += SURFMINK__LANES)
             r->turned[i] += before;
         for (k = 0; k < SURFMINK__SUMS; ++k) surfmink__add(&g->sum[k][lane], t->sum[k][lane]);
@@ -1535,11 +1545,15 @@ SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK_
 SURFMINK__KERNEL void SURFMINK__(join)(const SURFMINK__(group) *g, SURFMINK__(totals) *t)
 {
     surfmink__sum sum;
+    double before, widest = 0;
     size_t lane, k;
     for (k = 0; k < SURFMINK__SUMS; ++k) {
         sum.high = sum.low = 0;
         for (lane = 0; lane < SURFMINK__LANES; ++lane) {
-            if (k == SURFMINK__TURNING) t->behind[lane] += surfmink__value(&sum);
+            before = surfmink__value(&sum);
+            if (k == SURFMINK__TURNING) t->behind[lane] += before;
+            if (k == SURFMINK__TURNING && surfmink__abs(before) + g->widest[lane] > widest)
+                widest = surfmink__abs(before) + g->widest[lane];
             surfmink__add(&sum, g->sum[k][lane].high);
             surfmink__add(&sum, g->sum[k][lane].low);
         }
@@ -1549,6 +1563,7 @@ SURFMINK__KERNEL void SURFMINK__(join)(const SURFMINK__(group) *g, SURFMINK__(to
         if (t->sharpest[lane] > t->sharpest[0]) t->sharpest[0] = t->sharpest[lane];
         if (t->largest[lane] > t->largest[0]) t->largest[0] = t->largest[lane];
     }
+    t->widest[0] = widest;
 }
 
 /* Cuts an outline into strips of like length. */
@@ -1944,17 +1959,15 @@ static double surfmink__turn_plane(const double in[2], const double out[2])
                            surfmink__fine_pair(a[0], b[0], a[1], b[1]).high);
 }
 
-/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; on its own if absurdly far off. */
+/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; on its own if far off. Returns the scale. */
 static double surfmink__sphere_point(const surfmink__outline *o, size_t i, double x[3])
 {
     const double *corner = o->corner + 3 * i;
-    double m, scale = o->scale;
+    double m = surfmink__max_abs(corner, 3), scale = o->scale;
     size_t k;
-    m = surfmink__max_abs(corner, 3);
-    if (!(m * scale <= 1.2676506002282294e30 && m * scale >= 7.8886090522101181e-31)) /* 2^100, 2^-100 */
-        scale = surfmink__binade(m);
+    if (!(m * scale < 32 && m * scale >= 1.0 / 32)) scale = surfmink__binade(m);
     for (k = 0; k < 3; ++k) x[k] = corner[k] * scale;
-    return SURFMINK_SQRT(surfmink__dot(x, x));
+    return scale;
 }
 
 /* Corner i in space. */
@@ -2031,15 +2044,16 @@ static void surfmink__turn_at(const surfmink__outline *o, size_t i, surfmink__su
    the direction of the edge would be the rounding of the corners. */
 static int surfmink__arc(const surfmink__outline *o, size_t i, double *angle)
 {
-    double x[3], y[3], x_norm, y_norm, sine, cosine, off;
+    double x[3], y[3], x_norm, y_norm, sine, cosine, off = 1;
     surfmink__sum n[3], seen[3];
-    x_norm = surfmink__sphere_point(o, i, x);
-    y_norm = surfmink__sphere_point(o, surfmink__next(o, i), y);
+    int apart = surfmink__sphere_point(o, i, x) - surfmink__sphere_point(o, surfmink__next(o, i), y) != 0;
+    x_norm = surfmink__norm(x, 3);
+    y_norm = surfmink__norm(y, 3);
+    if (!apart) off = surfmink__abs(y_norm - x_norm) / (x_norm > y_norm ? x_norm : y_norm);
     surfmink__axis(o, i, n);
     sine = 1 / surfmink__seen(n, x, y, seen);
     sine *= surfmink__fine_norm(seen) / surfmink__fine_norm(n) / y_norm;
     cosine = surfmink__dot(x, y) / x_norm / y_norm;
-    off = surfmink__abs(y_norm - x_norm) / (x_norm > y_norm ? x_norm : y_norm);
     if (cosine < 0 && !(sine > 8 * surfmink__eps)) return SURFMINK_ANTIPODAL_CORNERS;
     if (!(sine > 8 * surfmink__eps * off)) return SURFMINK_COINCIDENT_CORNERS;
     *angle = SURFMINK_ATAN2(sine, cosine);
@@ -2274,7 +2288,8 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
     nx = n_norm * x_norm;
     for (i = 1; i < o->n; ++i) {
         at = surfmink__next(o, at);
-        y_norm = surfmink__sphere_point(o, at, y);
+        surfmink__sphere_point(o, at, y);
+        y_norm = surfmink__norm(y, 3);
         y_scale = surfmink__seen(n, a, y, to_y);
         ny = surfmink__dot(axis, y);
         if (!(ny > reach * n_norm * y_norm)) return 0;
@@ -2293,19 +2308,6 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
     }
     *solid_angle = surfmink__value(&sum);
     return 1;
-}
-
-/* A fan from one of 16 corners, evenly spaced: within 60 degrees if there is one, within 120, or 0.5 short of the
-   opposite point. Returns 0 if there is none. */
-static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
-{
-    static const double reach[3] = {0.5, -0.5, -0.99995};
-    size_t apex;
-    int k;
-    for (k = 0; k < 3; ++k)
-        for (apex = 0; apex < o->n; apex += o->n / 16 + 1)
-            if (surfmink__fan(o, apex, reach[k], solid_angle)) return 1;
-    return 0;
 }
 
 /* z times a turn. */
@@ -2351,6 +2353,27 @@ static void surfmink__sums(const surfmink__outline *o, double *length, double *t
     if (o->kind != SURFMINK__MEASURED) *turning = surfmink__unwound(z, *turning);
 }
 
+/* Solid angle modulo 4 pi of an outline whose turns add up to S, by a fan from one of 16 corners, evenly spaced: within
+   60 degrees if there is one, within 120, or 0.6 degrees short of the opposite point. S + solid angle = 2 pi k whatever
+   was drawn, so that S may know a large one better. Returns 0 if there is no fan. */
+static int surfmink__solid_angle(const surfmink__outline *o, double turning, double *solid_angle, int *k)
+{
+    static const double reach[3] = {0.5, -0.5, -0.99995};
+    size_t apex = 0, step = o->n / 16 + 1, tries;
+    double windings;
+    for (tries = 0; tries < 3; ++tries) {
+        for (apex = 0; apex < o->n; apex += step)
+            if (surfmink__fan(o, apex, reach[tries], solid_angle)) break;
+        if (apex < o->n) break;
+    }
+    if (tries == 3) return 0;
+    windings = (turning + *solid_angle) / surfmink__two_pi;
+    for (*k = 0; *k < windings - 0.5;) ++*k; /* nearest integer, without a libm call */
+    while (*k > windings + 0.5) --*k;
+    if (surfmink__abs(*solid_angle) > 1) *solid_angle = *k * surfmink__two_pi - turning;
+    return 1;
+}
+
 /* Is S > 0, and more than rounding noise? Corners on a great circle turn by 1e-16 each: hence the second threshold. */
 static int surfmink__check_turning(double turning, double turned, size_t n)
 {
@@ -2371,23 +2394,18 @@ static int surfmink__judge_plane(const surfmink__outline *o, surfmink_functional
     return SURFMINK_OK;
 }
 
-/* On the sphere S + solid angle is a multiple of 2 pi whatever was drawn, an odd one if the outline can be drawn
-   without crossings; the fan knows the solid angle modulo 4 pi, and 2 pi - S which of them is meant. It should lie in
-   [0, 4 pi]: that finds loops that wind three times. The slack of 1 is for digitised outlines with a hairpin whose
-   two sides overlap. */
+/* On the sphere k is odd if the outline can be drawn without crossings, and 2 pi - S tells which of the solid angles
+   modulo 4 pi is meant. It should lie in [0, 4 pi]: that finds loops that wind three times. The slack of 1 is for
+   digitised outlines with a hairpin whose two sides overlap. */
 static int surfmink__judge_sphere(const surfmink__outline *o, double turned, surfmink_functionals *w)
 {
-    double solid_angle, windings;
-    int status, k = 0;
+    double solid_angle;
+    int status, k;
     w->curvature = surfmink__two_pi - w->turning;
-    if (surfmink__solid_angle(o, &solid_angle)) {
-        windings = (w->turning + solid_angle) / surfmink__two_pi;
-        while (k < windings - 0.5) ++k; /* nearest integer, without a libm call */
-        while (k > windings + 0.5) --k;
+    if (surfmink__solid_angle(o, w->turning, &solid_angle, &k)) {
         if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
-        solid_angle += (1 - k) * surfmink__two_pi;
-        if (solid_angle < -1 || solid_angle > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
-        if (solid_angle < 1) w->curvature = solid_angle; /* small ones have more digits than 2 pi - S */
+        if (w->curvature < -1 || w->curvature > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
+        if (k == 1) w->curvature = solid_angle;
     }
     status = surfmink__check_turning(w->turning, turned, o->n);
     w->area = w->curvature * o->radius * o->radius;
@@ -2441,14 +2459,12 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
 {
     surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
     double solid_angle, length, turning, turned;
-    int status;
+    int status, k;
     if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
     status = surfmink__check(&o, NULL);
     if (status != SURFMINK_OK) return status;
-    if (!surfmink__solid_angle(&o, &solid_angle)) {
-        surfmink__sums(&o, &length, &turning, &turned);
-        solid_angle = surfmink__two_pi - turning;
-    }
+    surfmink__sums(&o, &length, &turning, &turned);
+    if (!surfmink__solid_angle(&o, turning, &solid_angle, &k)) solid_angle = surfmink__two_pi - turning;
     while (solid_angle > surfmink__two_pi) solid_angle -= 2 * surfmink__two_pi;
     while (solid_angle <= -surfmink__two_pi) solid_angle += 2 * surfmink__two_pi;
     solid_angle = solid_angle * radius * radius;
@@ -2893,18 +2909,19 @@ static surfmink__job surfmink__job_of(enum surfmink__kind kind, const double *co
 static double surfmink__turns_plane(const surfmink__outline *o, double scale)
 {
     const double *x = o->corner + 2 * (o->n - 1), *y = o->corner;
-    double a[2], b[2], turned = 0;
+    surfmink__sum turned = {0, 0};
+    double a[2], b[2];
     size_t i;
     a[0] = (x[0] - x[-2]) * scale;
     a[1] = (x[1] - x[-1]) * scale;
     for (i = 0; i < o->n; ++i, x = y, y += 2) {
         b[0] = (y[0] - x[0]) * scale;
         b[1] = (y[1] - x[1]) * scale;
-        turned += surfmink__abs(surfmink__atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]));
+        surfmink__add(&turned, surfmink__abs(surfmink__atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])));
         a[0] = b[0];
         a[1] = b[1];
     }
-    return turned;
+    return surfmink__value(&turned);
 }
 
 /* An ordinary outline, as a batch of one with a single lane. The scales are its own, so that the same bits come out in
