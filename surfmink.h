@@ -2122,7 +2122,8 @@ static int surfmink__check(const surfmink__outline *o, size_t *bad)
     return SURFMINK_OK;
 }
 
-/* Length of edge i and turning angle at corner i of an outline that has passed surfmink__check; and the turn itself. */
+/* Length of edge i and turning angle at corner i of an outline that has passed surfmink__check; and the turn itself with
+   twice the digits, or zero where there are none. */
 static void surfmink__measure_corner(const surfmink__outline *o, size_t i, double *length, double *turning,
                                      surfmink__sum turn[2])
 {
@@ -2131,6 +2132,7 @@ static void surfmink__measure_corner(const surfmink__outline *o, size_t i, doubl
     if (o->kind == SURFMINK__MEASURED) {
         *length = o->length[i];
         *turning = o->turning[i];
+        turn[0] = turn[1] = surfmink__fine(0, 0);
         return;
     }
     if (o->kind == SURFMINK__SPHERE) {
@@ -2310,47 +2312,59 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
     return 1;
 }
 
-/* z times a turn. */
-static void surfmink__rotate(surfmink__sum z[2], const surfmink__sum turn[2])
+/* A sum of turns. Where they have twice the digits their product as complex numbers is kept too: its angle is the sum but
+   for multiples of 2 pi, and has all digits, while turns that are rounded one by one would be off by eps sum |alpha|,
+   which is a lot for a small sum. */
+typedef struct surfmink__path {
+    surfmink__sum turned, z[2];
+} surfmink__path;
+
+static surfmink__path surfmink__path_of(void)
 {
-    surfmink__sum re = surfmink__fine_pair(z[0], turn[0], surfmink__minus(z[1]), turn[1]);
+    surfmink__path path = {{0, 0}, {{1, 0}, {0, 0}}};
+    return path;
+}
+
+static void surfmink__turn_by(surfmink__path *path, double alpha, const surfmink__sum turn[2])
+{
+    surfmink__sum *z = path->z, re;
+    surfmink__add(&path->turned, alpha);
+    re = surfmink__fine_pair(z[0], turn[0], surfmink__minus(z[1]), turn[1]);
     z[1] = surfmink__fine_pair(z[0], turn[1], z[1], turn[0]);
     z[0] = re;
     surfmink__fine_shrink(z, 2);
 }
 
-/* The angle of z, of the turns of the circle that it may stand for the one closest to `roughly`: its error is that of
-   rounding it, however small it is. */
-static double surfmink__unwound(const surfmink__sum z[2], double roughly)
+static double surfmink__turned(const surfmink__path *path)
 {
-    double angle = SURFMINK_ATAN2(z[1].high, z[0].high), windings = 0;
+    double roughly = surfmink__value(&path->turned), angle, windings;
     surfmink__sum sum = {0, 0};
-    while (roughly - angle - windings * surfmink__two_pi > surfmink__pi) ++windings;
-    while (roughly - angle - windings * surfmink__two_pi < -surfmink__pi) --windings;
+    if (!(surfmink__abs(path->z[0].high) + surfmink__abs(path->z[1].high) > 0)) return roughly;
+    angle = SURFMINK_ATAN2(path->z[1].high, path->z[0].high);
+    windings = (roughly - angle) / surfmink__two_pi;
+    windings = (double)(ptrdiff_t)(windings + (windings < 0 ? -0.5 : 0.5));
     surfmink__add_product(&sum, windings, surfmink__two_pi);
-    surfmink__add(&sum, windings * 2.4492935982947064e-16); /* and what 2 pi has beyond a double */
+    surfmink__add(&sum, windings * 2.4492935982947064e-16); /* what 2 pi has beyond a double */
     surfmink__add(&sum, angle);
     return surfmink__value(&sum);
 }
 
-/* Sums over all corners: L, S and, for the condition number and the noise, sum |alpha|. A sum of turns that are rounded
-   would be off by eps sum |alpha|, which is a lot for a small S: so they are multiplied as complex numbers. */
+/* Sums over all corners: L, S and, for the condition number and the noise, sum |alpha|. */
 static void surfmink__sums(const surfmink__outline *o, double *length, double *turning, double *turned)
 {
-    surfmink__sum l = {0, 0}, s = {0, 0}, t = {0, 0}, turn[2], z[2] = {{1, 0}, {0, 0}};
+    surfmink__sum l = {0, 0}, t = {0, 0}, turn[2];
+    surfmink__path path = surfmink__path_of();
     double edge, alpha;
     size_t i;
     for (i = 0; i < o->n; ++i) {
         surfmink__measure_corner(o, i, &edge, &alpha, turn);
+        surfmink__turn_by(&path, alpha, turn);
         surfmink__add(&l, edge);
-        surfmink__add(&s, alpha);
         surfmink__add(&t, surfmink__abs(alpha));
-        if (o->kind != SURFMINK__MEASURED) surfmink__rotate(z, turn);
     }
     *length = surfmink__value(&l);
-    *turning = surfmink__value(&s);
+    *turning = surfmink__turned(&path);
     *turned = surfmink__value(&t);
-    if (o->kind != SURFMINK__MEASURED) *turning = surfmink__unwound(z, *turning);
 }
 
 /* Solid angle modulo 4 pi of an outline whose turns add up to S, by a fan from one of 16 corners, evenly spaced: within
@@ -2572,9 +2586,9 @@ typedef struct surfmink__curve {
     size_t first;
 } surfmink__curve;
 
-/* Fills rows with l z and z = exp(i f) of the edges from number `start` of the curve on; `turned` is carried from call
-   to call. */
-static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count, surfmink__sum *turned,
+/* Fills rows with l z and z = exp(i f) of the edges from number `start` of the curve on; `path` is carried from call to
+   call. */
+static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count, surfmink__path *path,
                            surfmink__rows *r)
 {
     const surfmink__outline *o = c->outline;
@@ -2585,10 +2599,10 @@ static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count,
         k = start + j; /* edges passed since the fiducial point */
         i = c->first + k < o->n ? c->first + k : c->first + k - o->n;
         surfmink__measure_corner(o, i, &length, &turning, turn);
-        if (k > 0) surfmink__add(turned, turning);
+        if (k > 0) surfmink__turn_by(path, turning, turn);
         if (k == 0) length *= 1 - c->fraction;
         if (k == o->n) length *= c->fraction;
-        phase = c->phase ? c->phase[i] : c->factor * surfmink__value(turned);
+        phase = c->phase ? c->phase[i] : c->factor * surfmink__turned(path);
         r->column[2][j] = SURFMINK_COS(phase);
         r->column[3][j] = SURFMINK_SIN(phase);
         r->length[j] = length * c->unit * r->column[2][j];
@@ -2622,7 +2636,8 @@ static double surfmink__ratio(double re, double im, double length)
 static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *mu, double *g, double *theta)
 {
     surfmink__rows rows;
-    surfmink__sum sum[6 * SURFMINK__TILES], turned;
+    surfmink__sum sum[6 * SURFMINK__TILES];
+    surfmink__path path;
     size_t count = c->outline->n + (c->fraction > 0 ? 1 : 0), start, size;
     double part[6], re, im;
     int first, p, k, ranks;
@@ -2634,11 +2649,11 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
     if (theta) theta[0] = 0;
     for (first = 1; first <= max_rank; first += ranks) {
         ranks = max_rank - first < 3 * SURFMINK__TILES ? max_rank - first + 1 : 3 * SURFMINK__TILES;
-        turned.high = turned.low = 0;
+        path = surfmink__path_of();
         for (k = 0; k < 6 * SURFMINK__TILES; ++k) sum[k].high = sum[k].low = 0;
         for (start = 0; start < count; start += size) {
             size = count - start < SURFMINK__ROWS ? count - start : SURFMINK__ROWS;
-            surfmink__fill(c, start, size, &turned, &rows);
+            surfmink__fill(c, start, size, &path, &rows);
             surfmink__raise(&rows, size, first - 1);
             for (p = 0; p < ranks; p += 3) {
                 surfmink__power_sums(&rows, size, p + 3 < ranks, part);
