@@ -1371,7 +1371,7 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->sharpest + lane), SURFMINK__SET(3.14159265358978)); /* spikes */
         fine = fine & SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(1e-3), SURFMINK__LOAD(t->sum[SURFMINK__TURNS] + lane),
-                                                   SURFMINK__SET(0.3)),
+                                                   SURFMINK__SET(0.5)),
                                      known);
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->widest + lane), SURFMINK__SET(2.0) * known);
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
@@ -1994,14 +1994,23 @@ static void surfmink__axis(const surfmink__outline *o, size_t i, surfmink__sum a
 }
 
 /* n x (y - x): the edge from x to y as seen along the normal n and turned by 90 degrees, times a power of two, which
-   comes back. What rounding takes from y - x is kept, for where the edge is almost along n that is all there is. */
+   comes back. What rounding takes from y - x is kept, and what is along n is taken off first, for where the edge is
+   almost that, what is left needs all its digits. */
 static double surfmink__seen(const surfmink__sum n[3], const double x[3], const double y[3], surfmink__sum seen[3])
 {
     surfmink__sum edge[3];
-    double scale;
+    double scale, along = 0, nn = 0;
     size_t k;
     for (k = 0; k < 3; ++k) edge[k] = surfmink__fine(y[k], -x[k]);
     scale = surfmink__fine_shrink(edge, 3);
+    for (k = 0; k < 3; ++k) {
+        along += edge[k].high * n[k].high;
+        nn += n[k].high * n[k].high;
+    }
+    for (k = 0; k < 3; ++k) {
+        surfmink__add_product(edge + k, -along / nn, n[k].high);
+        edge[k] = surfmink__fine(edge[k].high, edge[k].low);
+    }
     surfmink__fine_cross(n, edge, seen);
     return scale;
 }
@@ -2322,13 +2331,13 @@ static double surfmink__area_plane(const surfmink__outline *o)
 
 /* Solid angle to the left of a polygon on the unit sphere, modulo 4 pi: a fan of triangles (a, x, y) from one corner a.
    Each is 2 atan2(a.(x x y), |a||x||y| + |y| a.x + |a| x.y + |x| y.a), its numerator put together from the sides as
-   seen along a, so that small ones keep their digits. Returns 0 where a corner is farther from the apex than an angle
-   with this cosine: next to the point opposite to the apex triangles lose their digits, and there they have no definite
-   area. */
-static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, double *solid_angle)
+   seen along a, so that small ones keep their digits; the denominator does not where corners are almost opposite, and
+   the error, in eps, tells. Returns 0 where a corner is farther from the apex than an angle with the cosine `reach`:
+   next to the point opposite to it triangles have no definite area. */
+static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, double *solid_angle, double *error)
 {
     surfmink__sum sum = {0, 0}, n[3], to_x[3], to_y[3];
-    double a[3], x[3], y[3], axis[3], n_norm, x_norm, y_norm, nx, ny, x_scale = 1, y_scale, twice, across;
+    double a[3], x[3], y[3], axis[3], n_norm, x_norm, y_norm, nx, ny, x_scale = 1, y_scale, twice, across, norms, size;
     size_t i, k, at = apex;
     surfmink__sphere_point(o, apex, a);
     surfmink__axis(o, apex, n);
@@ -2342,6 +2351,7 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
         surfmink__sphere_point(o, i, y);
         if (!(surfmink__dot(axis, y) > reach * n_norm * surfmink__norm(y, 3))) return 0;
     }
+    *error = 0;
     x_norm = surfmink__norm(a, 3);
     nx = n_norm * x_norm;
     for (i = 1; i < o->n; ++i) {
@@ -2352,7 +2362,10 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
         ny = surfmink__dot(axis, y);
         if (i > 1) {
             twice = surfmink__fine_triple(n, to_x, to_y).high / (n_norm * n_norm) / x_scale / y_scale;
-            across = n_norm * x_norm * y_norm + y_norm * nx + n_norm * surfmink__dot(x, y) + x_norm * ny;
+            norms = n_norm * x_norm * y_norm;
+            across = norms + y_norm * nx + n_norm * surfmink__dot(x, y) + x_norm * ny;
+            size = twice * twice + across * across;
+            *error += size > 0 ? 4 * norms * surfmink__abs(twice) / size : 1;
             surfmink__add(&sum, 2 * SURFMINK_ATAN2(twice, across));
         }
         for (k = 0; k < 3; ++k) {
@@ -2424,13 +2437,13 @@ static void surfmink__sums(const surfmink__outline *o, double *length, double *t
 
 /* A fan from one of 16 corners, evenly spaced: within 60 degrees if there is one, within 120, or 0.6 degrees short of the
    opposite point. Returns 0 if there is none. */
-static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
+static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle, double *error)
 {
     static const double reach[3] = {0.5, -0.5, -0.99995};
     size_t apex, k;
     for (k = 0; k < 3; ++k)
         for (apex = 0; apex < o->n; apex += o->n / 16 + 1)
-            if (surfmink__fan(o, apex, reach[k], solid_angle)) return 1;
+            if (surfmink__fan(o, apex, reach[k], solid_angle, error)) return 1;
     return 0;
 }
 
@@ -2470,14 +2483,14 @@ static int surfmink__judge_plane(const surfmink__outline *o, surfmink_functional
    more digits than 2 pi - S. */
 static int surfmink__judge_sphere(const surfmink__outline *o, double turned, surfmink_functionals *w)
 {
-    double solid_angle;
+    double solid_angle, error;
     int status, k;
     w->curvature = surfmink__two_pi - w->turning;
-    if (surfmink__solid_angle(o, &solid_angle)) {
+    if (surfmink__solid_angle(o, &solid_angle, &error)) {
         k = surfmink__windings(w->turning, solid_angle);
         if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
         if (w->curvature < -1 || w->curvature > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
-        if (surfmink__abs(w->curvature) < 1) w->curvature = solid_angle + (1 - k) * surfmink__two_pi;
+        if (error < 1) w->curvature = solid_angle + (1 - k) * surfmink__two_pi;
     }
     status = surfmink__check_turning(w->turning, turned, o->n);
     w->area = w->curvature * o->radius * o->radius;
@@ -2530,13 +2543,13 @@ SURFMINK_DEF int surfmink_area_plane(const double *corner, size_t n, double *are
 SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double radius, double *area)
 {
     surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
-    double solid_angle, length, turning, turned;
+    double solid_angle, error = 0, length, turning, turned;
     int status, k = 1, fan;
     if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
     status = surfmink__check(&o, NULL);
     if (status != SURFMINK_OK) return status;
-    fan = surfmink__solid_angle(&o, &solid_angle);
-    if (!fan || surfmink__abs(solid_angle) > 1) { /* then S knows it better */
+    fan = surfmink__solid_angle(&o, &solid_angle, &error);
+    if (!fan || error >= 1) { /* then S knows it better */
         surfmink__sums(&o, &length, &turning, &turned);
         if (fan) k = surfmink__windings(turning, solid_angle);
         solid_angle = k * surfmink__two_pi - turning;
@@ -2642,11 +2655,25 @@ SURFMINK_DEF int surfmink_transport_vector(const double *corner, const double *n
    its length; its front part comes last, one full turn later. */
 typedef struct surfmink__curve {
     const surfmink__outline *outline;
-    const double *phase; /* f_i, or NULL: factor times the sum of the turns */
-    double factor, fraction;
+    const double *phase; /* f_i, or NULL: the sum of the turns, with a period to be stretched to 2 pi, if not 0 */
+    double period, fraction;
     double length, unit; /* L, and a power of two that makes lengths ordinary, so that no sum overflows or goes under */
     size_t first;
 } surfmink__curve;
+
+/* 2 pi turned / period, but for multiples of 2 pi: without them a large one has more digits. */
+static double surfmink__phase(double turned, double period)
+{
+    surfmink__sum rest = {0, 0};
+    double periods, scale;
+    if (!(period > 0)) return turned;
+    periods = turned / period;
+    periods = (double)(ptrdiff_t)(periods + (periods < 0 ? -0.5 : 0.5));
+    scale = surfmink__scale(period);
+    surfmink__add(&rest, turned * scale);
+    surfmink__add_product(&rest, -periods, period * scale);
+    return surfmink__two_pi * (surfmink__value(&rest) / (period * scale));
+}
 
 /* Fills rows with l z and z = exp(i f) of the edges from number `start` of the curve on; `path` is carried from call to
    call. */
@@ -2664,7 +2691,7 @@ static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count,
         if (k > 0) surfmink__turn_by(path, turning, turn);
         if (k == 0) length *= 1 - c->fraction;
         if (k == o->n) length *= c->fraction;
-        phase = c->phase ? c->phase[i] : c->factor * surfmink__turned(path);
+        phase = c->phase ? c->phase[i] : surfmink__phase(surfmink__turned(path), c->period);
         r->column[2][j] = SURFMINK_COS(phase);
         r->column[3][j] = SURFMINK_SIN(phase);
         r->length[j] = length * c->unit * r->column[2][j];
@@ -2735,14 +2762,14 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
     }
 }
 
-static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double length, double factor)
+static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double length, double period)
 {
     surfmink__curve c;
     c.outline = o;
     c.length = length;
     c.unit = length > 0 ? surfmink__scale(length) : 1;
     c.phase = NULL;
-    c.factor = factor;
+    c.period = period;
     c.fraction = 0;
     c.first = 0;
     return c;
@@ -2765,7 +2792,7 @@ SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase,
     double total;
     int status = surfmink__check_measured(&o, max_rank, &total);
     if (status != SURFMINK_OK) return status;
-    c = surfmink__curve_of(&o, total, 1);
+    c = surfmink__curve_of(&o, total, 0);
     c.phase = phase;
     surfmink__integrate(&c, max_rank, NULL, g, NULL);
     return SURFMINK_OK;
@@ -2780,7 +2807,7 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
     int status = surfmink__check_measured(&o, max_rank, &total);
     if (status != SURFMINK_OK) return status;
     if (edge >= n || !(fraction >= 0 && fraction < 1)) return SURFMINK_BAD_ARGUMENT;
-    c = surfmink__curve_of(&o, total, 1);
+    c = surfmink__curve_of(&o, total, 0);
     c.first = edge;
     c.fraction = fraction;
     surfmink__integrate(&c, max_rank, NULL, g, NULL);
@@ -3038,7 +3065,7 @@ static int surfmink__carefully(const surfmink__outline *o, int max_rank, double 
     int status;
     if ((status = surfmink__check(o, bad)) != SURFMINK_OK) return status;
     if ((status = surfmink__functionals(o, &total)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
-    c = surfmink__curve_of(o, total.length, surfmink__two_pi / total.turning);
+    c = surfmink__curve_of(o, total.length, total.turning);
     if (mu || g || theta) surfmink__integrate(&c, max_rank, mu, g, theta);
     if (w) *w = total;
     return SURFMINK_OK;
