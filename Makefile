@@ -33,8 +33,8 @@ POLYGONS = 1000000
 SECONDS = 60
 MUTANTS =
 BENCH =
-FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow \
-       -fno-sanitize-recover=all
+FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow,integer \
+       -fsanitize-ignorelist=tests/fuzz/wraps -fno-sanitize-recover=all
 
 all: $(addprefix $(BUILD)/,$(commands))
 

@@ -24,8 +24,8 @@ static inline int is_known(int status)
 
 static inline int all_finite(const double *x, size_t count)
 {
-    while (count-- > 0)
-        if (!isfinite(x[count])) return 0;
+    for (; count > 0; --count)
+        if (!isfinite(x[count - 1])) return 0;
     return 1;
 }
 

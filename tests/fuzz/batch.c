@@ -169,7 +169,7 @@ static void close_answers(answers *a)
 
 static int is_untouched(const unsigned char *at, size_t size)
 {
-    while (size-- > 0)
+    for (; size > 0; --size)
         if (*at++ != 0x5a) return 0;
     return 1;
 }
@@ -335,7 +335,7 @@ static void claim_backwards(const bundle *b, const answers *all, unsigned asked)
     other.kind = b->kind;
     other.max_rank = b->max_rank;
     other.radius = b->radius;
-    for (i = b->count; i-- > 0;) copy_outline(&other, b, i);
+    for (i = b->count; i > 0; --i) copy_outline(&other, b, i - 1);
     measure(&other, 0, other.count, asked, 0, &a);
     CLAIM(a.refused == all->refused);
     for (i = 0; i < b->count; ++i) claim_same(&a, b->count - 1 - i, all, i);
