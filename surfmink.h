@@ -2966,10 +2966,10 @@ static int surfmink__known_job(const surfmink__job *job)
 static int surfmink__left_over(const surfmink__job *job, size_t i)
 {
     const surfmink_results *out = job->out;
-    const size_t at = job->offset[i], end = job->offset[i + 1], rank = i * ((size_t)job->max_rank + 1);
+    const size_t at = job->offset[i], end = job->offset[i + 1];
     surfmink__outline o;
     surfmink_functionals w;
-    size_t bad = end >= at ? end - at : 0;
+    size_t bad = end >= at ? end - at : 0, rank;
     int status = SURFMINK_BAD_ARGUMENT;
     if (end >= at && surfmink__known_job(job)) {
         if (job->kind == SURFMINK__PLANE)
@@ -2978,6 +2978,7 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
             o = surfmink__outline_sphere(job->corner + 3 * at, end - at, job->radius);
         else
             o = surfmink__outline_of(SURFMINK__EMBEDDED, job->corner + 3 * at, job->normal + 3 * at, end - at);
+        rank = i * ((size_t)job->max_rank + 1);
         status = surfmink__measure(&o, job->max_rank, out->mu ? out->mu + rank : NULL,
                                    out->g ? out->g + 2 * rank : NULL, out->theta ? out->theta + rank : NULL, &w, &bad);
     }
