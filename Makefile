@@ -61,6 +61,8 @@ test: all $(theorems)
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
+	  "sh tests/test_abuse.sh $(BUILD)" \
+	  "sh tests/test_fuzzed.sh" \
 	  "sh tests/test_readme.sh $(BUILD) '$(CC)'"
 
 accuracy:

@@ -67,7 +67,7 @@ static int complain(const char *what, const char *about)
 /* Whether all of standard output has gone out; if not, says so. */
 static int is_written(void)
 {
-    if (!fflush(stdout) && !ferror(stdout)) return 1;
+    if (!fflush(stdout) && !ferror(stdout) && !fclose(stdout)) return 1; /* some disks complain only when it closes */
     fprintf(stderr, "levelset: standard output cannot be written: %s\n", strerror(errno));
     return 0;
 }

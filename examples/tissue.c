@@ -298,7 +298,7 @@ static const char help[] = "tissue > tissue.tsv\n"
 /* The exit status, once all of standard output has gone out. */
 static int finish(void)
 {
-    if (!fflush(stdout) && !ferror(stdout)) return EXIT_SUCCESS;
+    if (!fflush(stdout) && !ferror(stdout) && !fclose(stdout)) return EXIT_SUCCESS;
     fprintf(stderr, "tissue: cannot write to standard output: %s\n", strerror(errno));
     return EXIT_FAILURE;
 }

@@ -7,7 +7,8 @@
      #undef main
      world_run(command_main, in)    returns the exit status; world.said and world.complained are the two outputs
 
-   A line that begins with ! has its standard output on a full disk; one that begins with ? and a byte, from ! = 0 on,
+   A line that begins with ! has its standard output on a full disk; with ~, on one that says so only when a file is
+   closed; one that begins with ? and a byte, from ! = 0 on,
    runs out of memory after so many allocations. Names that begin with "no" do not exist, those that begin with "full"
    lie on a full disk. A byte 0x1e in the rest cuts it in two: names that begin with f, but not these, lead to the
    second part. */
@@ -39,7 +40,7 @@ static struct {
     size_t size[2], said_size, complained_size;
     char *said, *complained;
     char line[512], *word[WORLD_WORDS + 2];
-    int words, is_full;
+    int words, is_full, is_stale;
     jmp_buf end;
 } world;
 
@@ -97,7 +98,9 @@ static inline int world_close(FILE *file)
     size_t i;
     for (i = 0; i < WORLD_LIST; ++i)
         if (world.file[i] == file) world.file[i] = NULL;
-    return fclose(file);
+    if (file == world.out) world.out = NULL;
+    if (world.is_stale) errno = ENOSPC;
+    return fclose(file) || world.is_stale ? EOF : 0;
 }
 
 static inline void world_exit(int status) __attribute__((noreturn));
@@ -128,7 +131,8 @@ static int world_begin(bytes in)
         world.size[0] = (size_t)(cut - world.text[0]);
     }
     world.is_full = *at == '!';
-    if (world.is_full) ++at;
+    world.is_stale = *at == '~';
+    if (world.is_full || world.is_stale) ++at;
     world.allocations = SIZE_MAX;
     if (at[0] == '?' && at[1] >= '!') {
         world.allocations = (size_t)(at[1] - '!');
@@ -167,8 +171,8 @@ static int world_run(int (*program)(int, char **))
     CLAIM(world.in && world.out && world.err);
     exits = setjmp(world.end);
     status = exits ? exits - 1 : program(world.words, world.word);
-    lost = ferror(world.out);
-    lost |= fclose(world.out) != 0;
+    lost = world.is_stale || (world.out && ferror(world.out)); /* else it was closed, which tells what is lost */
+    if (world.out) lost |= fclose(world.out) != 0;
     fclose(world.err);
     fclose(world.in);
     exits = !world_give_back() || exits;
