@@ -135,7 +135,7 @@ check "hexadecimal numbers" "$status $(tail -n 1 out | cut -f 6)" "0 1"
 limited() {
     (ulimit -v 200000 2> /dev/null && exec "$@") 2> err
 }
-if limited "$surfmink" --version > /dev/null; then limit=limited; else limit=; fi
+if { limited "$surfmink" --version > /dev/null; } 2> /dev/null; then limit=limited; else limit=; fi
 for text in a '1 ' '#' '"' ','; do
     repeated "$text" 1073741824 | $limit "$surfmink" > out 2> err
     status=$?

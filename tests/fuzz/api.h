@@ -34,4 +34,13 @@ static inline int same_bits(const void *a, const void *b, size_t size)
     return memcmp(a, b, size) == 0;
 }
 
+/* Nothing has been written since memset(array, 0x5a, size). */
+static inline int is_untouched(const void *array, size_t size)
+{
+    const unsigned char *at = (const unsigned char *)array;
+    for (; size > 0; --size)
+        if (*at++ != 0x5a) return 0;
+    return 1;
+}
+
 #endif

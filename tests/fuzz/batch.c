@@ -167,13 +167,6 @@ static void close_answers(answers *a)
     for (k = 0; k < OUTPUTS; ++k) free(a->output[k]);
 }
 
-static int is_untouched(const unsigned char *at, size_t size)
-{
-    for (; size > 0; --size)
-        if (*at++ != 0x5a) return 0;
-    return 1;
-}
-
 static double *exact_copy(const double *x, size_t count)
 {
     double *copy = (double *)exactly(count * sizeof *x);
@@ -195,7 +188,7 @@ static void measure(const bundle *b, size_t first, size_t count, unsigned asked,
         a->refused = surfmink_batch_sphere(corner, offset, count, b->radius, b->max_rank, &a->out, scratch);
     else
         a->refused = surfmink_batch_embedded(corner, normal, offset, count, b->max_rank, &a->out, scratch);
-    if (scratch) CLAIM(is_untouched((unsigned char *)scratch, 2 * offset[0] * sizeof(double)));
+    if (scratch) CLAIM(is_untouched(scratch, 2 * offset[0] * sizeof(double)));
     free(corner);
     free(normal);
     free(scratch);
