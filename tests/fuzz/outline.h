@@ -192,7 +192,7 @@ static void claim_scaled(const outline *o, const measured *a, double by)
     if (a->status == SURFMINK_OK) CLAIM(same_bits(a->mu, b.mu, sizeof a->mu));
 }
 
-static void claim_invariants(const outline *o)
+static inline void claim_invariants(const outline *o)
 {
     outline other;
     measured m, b;
