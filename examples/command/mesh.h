@@ -56,8 +56,7 @@ static void read_counts(mesh *m, lines *in)
 {
     size_t first = 1;
     if (!next_mesh_line(in)) die("%s: the file is empty", in->name);
-    if (strcmp(in->field[0], "OFF") != 0 && strcmp(in->field[0], "COFF") != 0)
-        malformed(in, "a mesh begins with OFF");
+    if (strcmp(in->field[0], "OFF") != 0 && strcmp(in->field[0], "COFF") != 0) malformed(in, "a mesh begins with OFF");
     if (in->fields == 1) {
         if (!next_mesh_line(in)) malformed(in, "the file ends before the counts");
         first = 0;
