@@ -1,4 +1,4 @@
-# harness.sh - what the shell tests share; to be sourced. Moves to an empty directory, $work, which goes away at the end.
+# harness.sh - what the shell tests share; to be sourced. $work is an empty directory that goes away at the end.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 passed=0 failed=0

@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_abuse.sh BUILD: the commands in BUILD under what should not happen: files that are cut short, binary, of one line,
-# huge, inconsistent, missing; outputs that cannot be written. Whatever it is, a command ends soon, with the exit
+# test_abuse.sh BUILD: the commands in BUILD under what should not happen: files that are cut short, binary, of one
+# line, huge, inconsistent, missing; outputs that cannot be written. Whatever it is, a command ends soon, with the exit
 # status that its --help promises, and says what is wrong and where. Needs only a POSIX shell. Build the commands with
 # -fsanitize=address, and they also show that nothing leaks.
 . "$(dirname "$0")/harness.sh"
@@ -28,9 +28,10 @@ stopped() {
 
 # told FILE: is the exit status 0, or is there a line that names the file and a line in it, or the whole file?
 told() {
-    case $status in
-    0) [ ! -s err ] ;;
-    1 | 2) grep -E "^$1:([0-9]+:)? ." err > /dev/null ;;
+    line=
+    read -r line < err
+    case "$status $line" in
+    "0 " | [12]" $1: "?* | [12]" $1:"[0-9]*": "?*) true ;;
     *) false ;;
     esac
 }
@@ -204,7 +205,8 @@ mesh "PLY, binary" "ply\nformat binary_little_endian 1.0\n" bad.ply "2: expected
 
 # unreadable NAME FILE: by each of the commands, as each kind of file.
 unreadable() {
-    for arguments in "$surfmink $2" "$surfmink mesh.off $2" "$levelset $2 --function z" "$levelset mesh.off $2 --at 0"; do
+    for arguments in "$surfmink $2" "$surfmink mesh.off $2" "$levelset $2 --function z" \
+        "$levelset mesh.off $2 --at 0"; do
         run $arguments
         stopped "$1: ${arguments#"$build"/}" "$2: "
     done
@@ -280,8 +282,8 @@ if [ -w /dev/full ]; then
     stopped "a picture, a full disk by another name" "full.svg: cannot write"
 fi
 
-# A pipe whose reader has gone: the end by SIGPIPE, without a word. Where whoever started the tests has had it ignored, it
-# is an error like others.
+# A pipe whose reader has gone: the end by SIGPIPE, without a word. Where whoever started the tests has had it ignored,
+# it is an error like others.
 if [ "$(sh -c 'kill -PIPE $$; echo ignored')" ]; then gone='1 1'; else gone='141 0'; fi
 awk 'BEGIN { print "cell x y"; for (i = 0; i < 20000; ++i) print i, "0 0\n" i, "1 0\n" i, "1 1" }' > many.tsv
 # to_head COMMAND...: exit status, and lines of complaint.
@@ -294,7 +296,7 @@ to_head() {
 }
 to_head "$surfmink" many.tsv
 to_head "$surfmink" many.tsv --json
-to_head "$levelset" --subdivide ico:6 --function flower
+to_head "$levelset" --subdivide ico:6 --function flower --at 0 --at .1 --at .2 --at .3 --at .4 --at .5
 to_head "$tissue" --relax 0
 (
     trap '' PIPE
