@@ -35,7 +35,7 @@ static void fuzz(bytes in)
     for (i = 1; i < world.words; ++i) help |= strcmp(world.word[i], "--help") == 0;
     status = world_run(tissue_main);
     CLAIM(status == EXIT_SUCCESS || status == EXIT_FAILURE);
-    CLAIM(status == EXIT_SUCCESS || world.is_full || world.said_size == 0);
+    CLAIM(status == EXIT_SUCCESS || world.is_full || world.is_stale || world.said_size == 0);
     if (world.said && status == EXIT_SUCCESS && !help) {
         claim_table(world.said);
         claim_corners(world.said);
