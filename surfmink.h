@@ -2024,21 +2024,60 @@ static surfmink__sum surfmink__fine_triple(const surfmink__sum n[3], const surfm
     return surfmink__fine_dot(n, cross);
 }
 
-/* Cosine and sine of the turn at corner i, up to a common factor. */
-static void surfmink__turn_at(const surfmink__outline *o, size_t i, surfmink__sum turn[2])
-{
+/* What a corner is measured from. */
+typedef struct surfmink__corner {
     double before[3], x[3], next[3];
-    surfmink__sum n[3], in[3], out[3], along = {0, 0};
-    surfmink__point(o, surfmink__previous(o, i), before);
-    surfmink__point(o, i, x);
-    surfmink__point(o, surfmink__next(o, i), next);
-    surfmink__axis(o, i, n);
-    surfmink__seen(n, before, x, in);
-    surfmink__seen(n, x, next, out);
-    surfmink__add_fine(&along, surfmink__fine_dot(in, out), surfmink__fine_root(surfmink__fine_dot(n, n)));
+    surfmink__sum n[3];
+} surfmink__corner;
+
+static surfmink__corner surfmink__corner_of(const surfmink__outline *o, size_t i)
+{
+    surfmink__corner c;
+    surfmink__point(o, surfmink__previous(o, i), c.before);
+    surfmink__point(o, i, c.x);
+    surfmink__point(o, surfmink__next(o, i), c.next);
+    surfmink__axis(o, i, c.n);
+    return c;
+}
+
+/* Cosine and sine of the turn at a corner, up to a common factor, with twice the digits. */
+static void surfmink__fine_turn(const surfmink__corner *c, surfmink__sum turn[2])
+{
+    surfmink__sum in[3], out[3], along = {0, 0};
+    surfmink__seen(c->n, c->before, c->x, in);
+    surfmink__seen(c->n, c->x, c->next, out);
+    surfmink__add_fine(&along, surfmink__fine_dot(in, out), surfmink__fine_root(surfmink__fine_dot(c->n, c->n)));
     turn[0] = along;
-    turn[1] = surfmink__fine_triple(n, in, out);
+    turn[1] = surfmink__fine_triple(c->n, in, out);
     surfmink__fine_shrink(turn, 2);
+}
+
+/* The turn at a corner as the kernels know it, to 1e-16 or so. Returns 0 where that is not enough: an edge is steep, or
+   next to nothing beside the other, or turns back. All of that is the same in any unit. */
+static int surfmink__plain_turn(const surfmink__corner *c, double *turning)
+{
+    double in[3], out[3], n[3], in_in, out_out, nn, sine, cosine, in_size, out_size, scale, larger;
+    size_t k;
+    surfmink__sub(c->x, c->before, 3, in);
+    surfmink__sub(c->next, c->x, 3, out);
+    in_size = surfmink__max_abs(in, 3);
+    out_size = surfmink__max_abs(out, 3);
+    scale = surfmink__binade(in_size > out_size ? in_size : out_size);
+    if (in_size * scale < 1e-60 || out_size * scale < 1e-60) return 0;
+    for (k = 0; k < 3; ++k) {
+        in[k] *= scale;
+        out[k] *= scale;
+        n[k] = c->n[k].high;
+    }
+    in_in = surfmink__dot(in, in);
+    out_out = surfmink__dot(out, out);
+    nn = surfmink__dot(n, n);
+    surfmink__turn(in, in_in, out, out_out, n, nn, SURFMINK_SQRT(nn), surfmink__dot(out, n), &sine, &cosine);
+    larger = surfmink__abs(sine) > surfmink__abs(cosine) ? surfmink__abs(sine) : surfmink__abs(cosine);
+    if (!(larger > 0.35 * nn * SURFMINK_SQRT(in_in * out_out))) return 0;
+    if (cosine < 0 && surfmink__abs(sine) < -1e-9 * cosine) return 0;
+    *turning = SURFMINK_ATAN2(sine, cosine);
+    return 1;
 }
 
 /* The angle at the centre of the great-circle edge from corner i to the next. Corners are refused as coincident if no
@@ -2046,16 +2085,21 @@ static void surfmink__turn_at(const surfmink__outline *o, size_t i, surfmink__su
    the direction of the edge would be the rounding of the corners. */
 static int surfmink__arc(const surfmink__outline *o, size_t i, double *angle)
 {
-    double x[3], y[3], x_norm, y_norm, sine, cosine, off = 1;
+    double x[3], y[3], edge[3], m[3], x_norm, y_norm, sine, cosine, off = 1;
     surfmink__sum n[3], seen[3];
-    int apart = surfmink__sphere_point(o, i, x) - surfmink__sphere_point(o, surfmink__next(o, i), y) != 0;
+    int apart = surfmink__abs(surfmink__sphere_point(o, i, x) - surfmink__sphere_point(o, surfmink__next(o, i), y)) > 0;
     x_norm = surfmink__norm(x, 3);
     y_norm = surfmink__norm(y, 3);
-    if (!apart) off = surfmink__abs(y_norm - x_norm) / (x_norm > y_norm ? x_norm : y_norm);
-    surfmink__axis(o, i, n);
-    sine = 1 / surfmink__seen(n, x, y, seen);
-    sine *= surfmink__fine_norm(seen) / surfmink__fine_norm(n) / y_norm;
+    surfmink__sub(y, x, 3, edge);
+    surfmink__cross(x, edge, m);
+    sine = surfmink__norm(m, 3) / x_norm / y_norm;
+    if (!(1.5 * sine * y_norm > surfmink__norm(edge, 3))) { /* steep: m may have lost digits */
+        surfmink__axis(o, i, n);
+        sine = 1 / surfmink__seen(n, x, y, seen);
+        sine *= surfmink__fine_norm(seen) / surfmink__fine_norm(n) / y_norm;
+    }
     cosine = surfmink__dot(x, y) / x_norm / y_norm;
+    if (!apart) off = surfmink__abs(y_norm - x_norm) / (x_norm > y_norm ? x_norm : y_norm);
     if (cosine < 0 && !(sine > 8 * surfmink__eps)) return SURFMINK_ANTIPODAL_CORNERS;
     if (!(sine > 8 * surfmink__eps * off)) return SURFMINK_COINCIDENT_CORNERS;
     *angle = SURFMINK_ATAN2(sine, cosine);
@@ -2084,10 +2128,15 @@ static int surfmink__check_corner(const surfmink__outline *o, size_t i)
    in sine. */
 static int surfmink__upright(const surfmink__outline *o, size_t i, const double *x, const double *y)
 {
-    double edge[3], size;
+    double edge[3], e[3], axis[3], along, size;
     surfmink__sum n[3], seen[3];
+    size_t k;
     surfmink__sub(y, x, 3, edge);
     surfmink__axis(o, i, n);
+    size = surfmink__shrink(edge, 3, e) > 0 ? surfmink__dot(e, e) : 0;
+    for (k = 0; k < 3; ++k) axis[k] = n[k].high;
+    along = surfmink__dot(e, axis);
+    if (2 * along * along < size * surfmink__dot(axis, axis)) return 0; /* not even steep */
     size = surfmink__norm(edge, 3) * surfmink__seen(n, x, y, seen) * surfmink__fine_norm(n);
     return !(surfmink__fine_norm(seen) > 1e-6 * size);
 }
@@ -2124,17 +2173,19 @@ static int surfmink__check(const surfmink__outline *o, size_t *bad)
     return SURFMINK_OK;
 }
 
-/* Length of edge i and turning angle at corner i of an outline that has passed surfmink__check; and the turn itself with
-   twice the digits, or zero where there are none. */
+/* Length of edge i and turning angle at corner i of an outline that has passed surfmink__check. With twice the digits,
+   if the turn itself is asked for; it is zero where there is none. */
 static void surfmink__measure_corner(const surfmink__outline *o, size_t i, double *length, double *turning,
-                                     surfmink__sum turn[2])
+                                     surfmink__sum *turn)
 {
     double edge[3], angle = 0;
+    surfmink__sum fine[2];
+    surfmink__corner c;
     size_t dim = (size_t)o->dim;
     if (o->kind == SURFMINK__MEASURED) {
         *length = o->length[i];
         *turning = o->turning[i];
-        turn[0] = turn[1] = surfmink__fine(0, 0);
+        if (turn) turn[0] = turn[1] = surfmink__fine(0, 0);
         return;
     }
     if (o->kind == SURFMINK__SPHERE) {
@@ -2144,8 +2195,10 @@ static void surfmink__measure_corner(const surfmink__outline *o, size_t i, doubl
         surfmink__sub(o->corner + dim * surfmink__next(o, i), o->corner + dim * i, dim, edge);
         *length = surfmink__norm(edge, dim);
     }
-    surfmink__turn_at(o, i, turn);
-    *turning = surfmink__angle(turn[1].high, turn[0].high);
+    c = surfmink__corner_of(o, i);
+    if (!turn && surfmink__plain_turn(&c, turning)) return;
+    surfmink__fine_turn(&c, turn ? turn : fine);
+    *turning = turn ? surfmink__angle(turn[1].high, turn[0].high) : surfmink__angle(fine[1].high, fine[0].high);
 }
 
 static surfmink__outline surfmink__outline_of(enum surfmink__kind kind, const double *corner, const double *normal,
@@ -2187,11 +2240,10 @@ static surfmink__outline surfmink__outline_sphere(const double *corner, size_t n
 
 static int surfmink__edges(const surfmink__outline *o, double *length, double *turning, size_t *bad)
 {
-    surfmink__sum turn[2];
     size_t i;
     int status = surfmink__check(o, bad);
     if (status != SURFMINK_OK) return status;
-    for (i = 0; i < o->n; ++i) surfmink__measure_corner(o, i, length + i, turning + i, turn);
+    for (i = 0; i < o->n; ++i) surfmink__measure_corner(o, i, length + i, turning + i, NULL);
     return SURFMINK_OK;
 }
 
@@ -2288,6 +2340,10 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
         x[k] = a[k];
     }
     n_norm = surfmink__norm(axis, 3);
+    for (i = 0; i < o->n; ++i) {
+        surfmink__sphere_point(o, i, y);
+        if (!(surfmink__dot(axis, y) > reach * n_norm * surfmink__norm(y, 3))) return 0;
+    }
     x_norm = surfmink__norm(a, 3);
     nx = n_norm * x_norm;
     for (i = 1; i < o->n; ++i) {
@@ -2296,7 +2352,6 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
         y_norm = surfmink__norm(y, 3);
         y_scale = surfmink__seen(n, a, y, to_y);
         ny = surfmink__dot(axis, y);
-        if (!(ny > reach * n_norm * y_norm)) return 0;
         if (i > 1) {
             twice = surfmink__fine_triple(n, to_x, to_y).high / (n_norm * n_norm) / x_scale / y_scale;
             across = n_norm * x_norm * y_norm + y_norm * nx + n_norm * surfmink__dot(x, y) + x_norm * ny;
@@ -2369,25 +2424,26 @@ static void surfmink__sums(const surfmink__outline *o, double *length, double *t
     *turned = surfmink__value(&t);
 }
 
-/* Solid angle modulo 4 pi of an outline whose turns add up to S, by a fan from one of 16 corners, evenly spaced: within
-   60 degrees if there is one, within 120, or 0.6 degrees short of the opposite point. S + solid angle = 2 pi k whatever
-   was drawn, so that S may know a large one better. Returns 0 if there is no fan. */
-static int surfmink__solid_angle(const surfmink__outline *o, double turning, double *solid_angle, int *k)
+/* A fan from one of 16 corners, evenly spaced: within 60 degrees if there is one, within 120, or 0.6 degrees short of the
+   opposite point. Returns 0 if there is none. */
+static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
 {
     static const double reach[3] = {0.5, -0.5, -0.99995};
-    size_t apex = 0, step = o->n / 16 + 1, tries;
-    double windings;
-    for (tries = 0; tries < 3; ++tries) {
-        for (apex = 0; apex < o->n; apex += step)
-            if (surfmink__fan(o, apex, reach[tries], solid_angle)) break;
-        if (apex < o->n) break;
-    }
-    if (tries == 3) return 0;
-    windings = (turning + *solid_angle) / surfmink__two_pi;
-    for (*k = 0; *k < windings - 0.5;) ++*k; /* nearest integer, without a libm call */
-    while (*k > windings + 0.5) --*k;
-    if (surfmink__abs(*solid_angle) > 1) *solid_angle = *k * surfmink__two_pi - turning;
-    return 1;
+    size_t apex, k;
+    for (k = 0; k < 3; ++k)
+        for (apex = 0; apex < o->n; apex += o->n / 16 + 1)
+            if (surfmink__fan(o, apex, reach[k], solid_angle)) return 1;
+    return 0;
+}
+
+/* S + solid angle = 2 pi k, whatever was drawn. */
+static int surfmink__windings(double turning, double solid_angle)
+{
+    double windings = (turning + solid_angle) / surfmink__two_pi;
+    int k = 0;
+    while (k < windings - 0.5) ++k; /* nearest integer, without a libm call */
+    while (k > windings + 0.5) --k;
+    return k;
 }
 
 /* Is S > 0, and more than rounding noise? Corners on a great circle turn by 1e-16 each: hence the second threshold. */
@@ -2410,18 +2466,20 @@ static int surfmink__judge_plane(const surfmink__outline *o, surfmink_functional
     return SURFMINK_OK;
 }
 
-/* On the sphere k is odd if the outline can be drawn without crossings, and 2 pi - S tells which of the solid angles
-   modulo 4 pi is meant. It should lie in [0, 4 pi]: that finds loops that wind three times. The slack of 1 is for
-   digitised outlines with a hairpin whose two sides overlap. */
+/* On the sphere an outline that can be drawn without crossings has S + solid angle = 2 pi k with an odd k. A fan knows
+   the solid angle modulo 4 pi, and 2 pi - S which of them is meant. It should lie in [0, 4 pi]: that finds loops that
+   wind three times. The slack of 1 is for digitised outlines with a hairpin whose two sides overlap. Small angles have
+   more digits than 2 pi - S. */
 static int surfmink__judge_sphere(const surfmink__outline *o, double turned, surfmink_functionals *w)
 {
     double solid_angle;
     int status, k;
     w->curvature = surfmink__two_pi - w->turning;
-    if (surfmink__solid_angle(o, w->turning, &solid_angle, &k)) {
+    if (surfmink__solid_angle(o, &solid_angle)) {
+        k = surfmink__windings(w->turning, solid_angle);
         if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
         if (w->curvature < -1 || w->curvature > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
-        if (k == 1) w->curvature = solid_angle;
+        if (surfmink__abs(w->curvature) < 1) w->curvature = solid_angle + (1 - k) * surfmink__two_pi;
     }
     status = surfmink__check_turning(w->turning, turned, o->n);
     w->area = w->curvature * o->radius * o->radius;
@@ -2475,12 +2533,16 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
 {
     surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
     double solid_angle, length, turning, turned;
-    int status, k;
+    int status, k = 1, fan;
     if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
     status = surfmink__check(&o, NULL);
     if (status != SURFMINK_OK) return status;
-    surfmink__sums(&o, &length, &turning, &turned);
-    if (!surfmink__solid_angle(&o, turning, &solid_angle, &k)) solid_angle = surfmink__two_pi - turning;
+    fan = surfmink__solid_angle(&o, &solid_angle);
+    if (!fan || surfmink__abs(solid_angle) > 1) { /* then S knows it better */
+        surfmink__sums(&o, &length, &turning, &turned);
+        if (fan) k = surfmink__windings(turning, solid_angle);
+        solid_angle = k * surfmink__two_pi - turning;
+    }
     while (solid_angle > surfmink__two_pi) solid_angle -= 2 * surfmink__two_pi;
     while (solid_angle <= -surfmink__two_pi) solid_angle += 2 * surfmink__two_pi;
     solid_angle = solid_angle * radius * radius;
