@@ -33,8 +33,8 @@ POLYGONS = 1000000
 SECONDS = 60
 MUTANTS =
 BENCH =
-FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow \
-       -fno-sanitize-recover=all
+FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow,integer \
+       -fsanitize-ignorelist=tests/fuzz/wraps -fno-sanitize-recover=all
 
 all: $(addprefix $(BUILD)/,$(commands))
 
@@ -61,6 +61,8 @@ test: all $(theorems)
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
+	  "sh tests/test_abuse.sh $(BUILD)" \
+	  "sh tests/test_fuzzed.sh" \
 	  "sh tests/test_readme.sh $(BUILD) '$(CC)'"
 
 accuracy:

@@ -1043,7 +1043,7 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
                                               SURFMINK__(totals) *t)
 {
     surfmink__real p[2], u[2], x[2], y[2], a[2], b[2], d[2], length, inverse, cross, along, re, im;
-    surfmink__real sum, lost, good, area, turns, zero = SURFMINK__SET(0.0), one = SURFMINK__SET(1.0);
+    surfmink__real sum, lost, good, area, turns, least, zero = SURFMINK__SET(0.0), one = SURFMINK__SET(1.0);
     surfmink__mask fine, passes, a_below, b_below;
     size_t lane, i;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
@@ -1069,12 +1069,14 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
             length = SURFMINK__ROOT(SURFMINK__FMA(b[1], b[1], b[0] * b[0]));
             cross = SURFMINK__FNMA(a[1], b[0], a[0] * b[1]);
             along = SURFMINK__FMA(a[1], b[1], a[0] * b[0]);
-            /* no spike, no edge of length 0, and nothing out of range */
-            fine = SURFMINK__LESS(SURFMINK__FNMA(SURFMINK__SET(4e-15), along, SURFMINK__SET(1e-250)),
-                                  SURFMINK__ABS(cross));
-            fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-140), length);
             b_below = SURFMINK__LESS(b[1], zero);
-            passes = (a_below ^ b_below) & (b_below ^ SURFMINK__LESS(zero, cross));
+            passes = a_below ^ b_below;
+            /* no spike, no edge of length 0, nothing out of range, no pass to a side that cannot be told */
+            least = SURFMINK__FNMA(SURFMINK__SET(4e-15), along, SURFMINK__SET(1e-250));
+            least = SURFMINK__SELECT(passes, SURFMINK__MAX(least, SURFMINK__SET(1e-250)), least);
+            fine = SURFMINK__LESS(least, SURFMINK__ABS(cross));
+            fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-140), length);
+            passes = passes & (b_below ^ SURFMINK__LESS(zero, cross));
             d[0] = x[0] - p[0];
             d[1] = x[1] - p[1];
             re = SURFMINK__FMA(b[1], u[1], b[0] * u[0]);
@@ -1381,7 +1383,7 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
             fine & SURFMINK__LESS(SURFMINK__SET(1e-300), length * SURFMINK__SET(job->unit)); /* as it will be written */
         fine = fine & SURFMINK__LESS(length * SURFMINK__SET(job->unit), SURFMINK__SET(1.7e308));
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(area) * SURFMINK__SET(job->unit) * SURFMINK__SET(job->unit),
-                                     SURFMINK__SET(1.7e308));
+                                     SURFMINK__SET(8e307)); /* others double it */
         /* whatever becomes of the rest, nothing is divided by zero */
         SURFMINK__STORE(t->sum[SURFMINK__LENGTH] + lane, SURFMINK__SELECT(fine, length, SURFMINK__SET(1.0)));
         SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, SURFMINK__SELECT(fine, turning, SURFMINK__SET(1.0)));
@@ -3123,10 +3125,10 @@ static int surfmink__known_job(const surfmink__job *job)
 static int surfmink__left_over(const surfmink__job *job, size_t i)
 {
     const surfmink_results *out = job->out;
-    const size_t at = job->offset[i], end = job->offset[i + 1], rank = i * ((size_t)job->max_rank + 1);
+    const size_t at = job->offset[i], end = job->offset[i + 1];
     surfmink__outline o;
     surfmink_functionals w;
-    size_t bad = end >= at ? end - at : 0;
+    size_t bad = end >= at ? end - at : 0, rank;
     int status = SURFMINK_BAD_ARGUMENT;
     if (end >= at && surfmink__known_job(job)) {
         if (job->kind == SURFMINK__PLANE)
@@ -3135,6 +3137,7 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
             o = surfmink__outline_sphere(job->corner + 3 * at, end - at, job->radius);
         else
             o = surfmink__outline_of(SURFMINK__EMBEDDED, job->corner + 3 * at, job->normal + 3 * at, end - at);
+        rank = i * ((size_t)job->max_rank + 1);
         status = surfmink__measure(&o, job->max_rank, out->mu ? out->mu + rank : NULL,
                                    out->g ? out->g + 2 * rank : NULL, out->theta ? out->theta + rank : NULL, &w, &bad);
     }

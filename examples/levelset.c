@@ -64,6 +64,14 @@ static int complain(const char *what, const char *about)
     return 1;
 }
 
+/* Whether all of standard output has gone out; if not, says so. */
+static int is_written(void)
+{
+    if (!fflush(stdout) && !ferror(stdout) && !fclose(stdout)) return 1; /* some disks complain only when it closes */
+    fprintf(stderr, "levelset: standard output cannot be written: %s\n", strerror(errno));
+    return 0;
+}
+
 /* A text that is one finite number and nothing else. */
 static int number(const char *text, double *x)
 {
@@ -296,10 +304,7 @@ static int run(const options *o)
             fprintf(stderr, "%s: vertices where sheets touch that share no edge: %lu (normals there are a mean)\n",
                     mesh_name, (unsigned long)m.pinched);
         open = print(o, &m, loops);
-        if (fflush(stdout) || ferror(stdout)) {
-            fprintf(stderr, "levelset: standard output cannot be written: %s\n", strerror(errno));
-            status = MESH_UNREADABLE;
-        }
+        if (!is_written()) status = MESH_UNREADABLE;
     }
     for (l = 0; loops && l < o->levels; ++l) mesh_free_loops(&loops[l]);
     free(loops);
@@ -315,7 +320,7 @@ int main(int count, char **argument)
     for (i = 1; i < count; ++i)
         if (!strcmp(argument[i], "--help")) {
             fputs(help, stdout);
-            return fflush(stdout) ? 1 : 0;
+            return !is_written();
         }
     memset(&o, 0, sizeof o);
     o.digits = 17;

@@ -70,6 +70,14 @@ static void check_standard_output(void)
     if (ferror(stdout)) die("surfmink: cannot write to standard output: %s", strerror(errno));
 }
 
+/* Some disks say only now that they are full. */
+static void close_standard_output(void)
+{
+    if (fclose(stdout) == 0) return;
+    fprintf(stderr, "surfmink: cannot write to standard output: %s\n", strerror(errno));
+    exit(EXIT_TROUBLE);
+}
+
 /* --- memory ------------------------------------------------------------------------------------------------------- */
 
 static void *resize(void *array, size_t count, size_t size)

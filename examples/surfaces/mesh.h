@@ -118,6 +118,8 @@ static inline int mesh__fail(mesh_error *error, int status, const char *name, si
     va_start(arguments, format);
     vsnprintf(error->text + used, sizeof error->text - used, format, arguments);
     va_end(arguments);
+    for (; error->text[used]; ++used) /* what is quoted shall not command a terminal */
+        if ((unsigned char)error->text[used] < ' ' || error->text[used] == 0x7f) error->text[used] = '?';
     return status;
 }
 
@@ -143,6 +145,8 @@ typedef struct mesh__reader {
     int again; /* the next line is this one: it has been looked at to tell the format */
     mesh_error *error;
 } mesh__reader;
+
+enum { MESH__LONGEST_LINE = 1 << 26 };
 
 /* The array with room for at least one more item, or NULL if there is no memory: then it is as before. */
 static inline void *mesh__grow(void *array, size_t used, size_t *room, size_t bytes)
@@ -186,6 +190,9 @@ static inline int mesh__line(mesh__reader *r, int comments, int *got)
             if (!grown) return mesh__no_memory(r->error, r->name);
             r->text = (char *)grown;
             if (c == '\n') break;
+            if (used == MESH__LONGEST_LINE)
+                return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line + 1,
+                                  "more than 64 MiB without the end of a line");
             if (c == 0)
                 return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line + 1, "a zero byte: not a text file");
             r->text[used++] = (char)c;
@@ -197,6 +204,7 @@ static inline int mesh__line(mesh__reader *r, int comments, int *got)
         }
         ++r->line;
         r->text[used] = 0;
+        if (r->line == 1 && !strncmp(r->text, "\xef\xbb\xbf", 3)) memcpy(r->text, "   ", 3); /* a byte order mark */
         if (comments) r->text[strcspn(r->text, "#")] = 0;
         if (r->text[strspn(r->text, " \t\r")]) return MESH_OK;
     }
