@@ -650,7 +650,7 @@ typedef struct surfmink__job {
 
 #if SURFMINK__INSTANCE == SURFMINK__PLAIN
 #define SURFMINK__(name) surfmink__##name
-#define SURFMINK__LANES  1
+#define SURFMINK__LANES  ((size_t)1)
 #define SURFMINK__ALIGNED
 #define SURFMINK__WIDTH           1
 #define SURFMINK__GANG            1
@@ -668,7 +668,7 @@ typedef struct surfmink__job {
 #define SURFMINK__SIGNED(a, s)    ((s) < 0 ? -(a) : (a))
 #define SURFMINK__ROOT(a)         SURFMINK_SQRT(a)
 #else
-#define SURFMINK__LANES           8
+#define SURFMINK__LANES           ((size_t)8)
 #define SURFMINK__GANG            2
 #define SURFMINK__ALIGNED         __attribute__((aligned(64)))
 #define surfmink__real            SURFMINK__(real)
@@ -1335,7 +1335,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
         SURFMINK__(edges_sphere)(r, rows, first, stride, t);
     else {
         SURFMINK__(gather)(job->normal, 3, 1, run, rows, 0, r->column[3]);
-#if SURFMINK__LANES == 1
+#if SURFMINK__INSTANCE == SURFMINK__PLAIN
         for (lane = 0; lane < rows; ++lane) surfmink__shrink_normal(r->column[3] + 1 + lane);
 #endif
         SURFMINK__(edges_embedded)(r, rows, t);
@@ -2594,15 +2594,15 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
             surfmink__raise(&rows, size, first - 1);
             for (p = 0; p < ranks; p += 3) {
                 surfmink__power_sums(&rows, size, p + 3 < ranks, part);
-                for (k = 0; k < 6; ++k) surfmink__add(sum + 2 * p + k, part[k]);
+                for (k = 0; k < 6; ++k) surfmink__add(sum + 2 * (size_t)p + k, part[k]);
             }
         }
         for (p = 0; p < ranks; ++p) {
-            re = surfmink__value(sum + 2 * p);
-            im = surfmink__value(sum + 2 * p + 1);
+            re = surfmink__value(sum + 2 * (size_t)p);
+            im = surfmink__value(sum + 2 * (size_t)p + 1);
             if (g) {
-                g[2 * (first + p)] = re / c->unit;
-                g[2 * (first + p) + 1] = im / c->unit;
+                g[2 * (size_t)(first + p)] = re / c->unit;
+                g[2 * (size_t)(first + p) + 1] = im / c->unit;
             }
             if (mu) mu[first + p] = surfmink__ratio(re, im, c->length * c->unit);
             if (theta) theta[first + p] = surfmink__argument(re, im) / (first + p);
@@ -2686,6 +2686,7 @@ static double surfmink__half_to(int p)
 SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor)
 {
     double last, krawtchouk, next, sum;
+    const double *at;
     int j, k;
     if (p < 0 || p > 1000) return SURFMINK_BAD_ARGUMENT;
     for (j = 0; j <= p; ++j) {
@@ -2693,7 +2694,8 @@ SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor)
         krawtchouk = surfmink__half_to(p);
         sum = 0;
         for (k = 0; 2 * k < p; ++k) {
-            sum += 2 * krawtchouk * surfmink__along_tau(g[2 * (p - 2 * k)], g[2 * (p - 2 * k) + 1], j);
+            at = g + 2 * (size_t)(p - 2 * k);
+            sum += 2 * krawtchouk * surfmink__along_tau(at[0], at[1], j);
             next = ((p - 2 * j) * krawtchouk - (p - k + 1) * last) / (k + 1);
             last = krawtchouk;
             krawtchouk = next;
@@ -2710,7 +2712,8 @@ SURFMINK_DEF int surfmink_trace_free(const double *g, int p, double *tensor)
     int j;
     if (p < 0 || p > 1000) return SURFMINK_BAD_ARGUMENT;
     half = surfmink__half_to(p - 1);
-    for (j = 0; j <= p; ++j) tensor[j] = half * surfmink__along_tau(g[2 * p], g[2 * p + 1], j);
+    g += 2 * (size_t)p;
+    for (j = 0; j <= p; ++j) tensor[j] = half * surfmink__along_tau(g[0], g[1], j);
     return SURFMINK_OK;
 }
 
@@ -2741,18 +2744,20 @@ SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vec
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
 {
     double largest;
+    const double *at;
     int p;
     if (max_rank < 0) return SURFMINK_BAD_ARGUMENT;
     if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
     if (!(g[0] > 0)) return SURFMINK_BAD_ARGUMENT;
     for (p = 0; p <= max_rank; ++p) {
-        largest = surfmink__max_abs(g + 2 * p, 2);
+        largest = surfmink__max_abs(g + 2 * (size_t)p, 2);
         if (!(largest <= 1e308 && largest / g[0] <= 1e308)) return SURFMINK_NOT_FINITE; /* or |g_p| may not be */
     }
     for (p = 0; p <= max_rank; ++p) {
-        if (lambda) lambda[p] = surfmink__modulus(g[2 * p], g[2 * p + 1]);
-        if (mu) mu[p] = surfmink__ratio(g[2 * p], g[2 * p + 1], g[0]);
-        if (theta) theta[p] = p > 0 ? surfmink__argument(g[2 * p], g[2 * p + 1]) / p : 0;
+        at = g + 2 * (size_t)p;
+        if (lambda) lambda[p] = surfmink__modulus(at[0], at[1]);
+        if (mu) mu[p] = surfmink__ratio(at[0], at[1], g[0]);
+        if (theta) theta[p] = p > 0 ? surfmink__argument(at[0], at[1]) / p : 0;
     }
     return SURFMINK_OK;
 }
@@ -2760,14 +2765,15 @@ SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda
 static double surfmink__theta(const double *g, int p, int sign, int n)
 {
     double half_turns = sign >= 0 ? 2.0 * n : 2.0 * n + 1;
-    return (surfmink__argument(g[2 * p], g[2 * p + 1]) + half_turns * surfmink__pi) / p;
+    g += 2 * (size_t)p;
+    return (surfmink__argument(g[0], g[1]) + half_turns * surfmink__pi) / p;
 }
 
 SURFMINK_DEF int surfmink_angles(const double *g, int p, int sign, double *theta)
 {
     int n;
     if (p < 1) return SURFMINK_BAD_ARGUMENT;
-    if (!surfmink__finite(g + 2 * p, 2)) return SURFMINK_NOT_FINITE;
+    if (!surfmink__finite(g + 2 * (size_t)p, 2)) return SURFMINK_NOT_FINITE;
     for (n = 0; n < p; ++n) theta[n] = surfmink__theta(g, p, sign, n);
     return SURFMINK_OK;
 }
@@ -2825,7 +2831,8 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
     double theta, cosine, sine;
     int n, k;
     if (p < 1 || dim < 2 || dim > 3) return SURFMINK_BAD_ARGUMENT;
-    if (!surfmink__finite(g + 2 * p, 2) || !surfmink__finite(&phase, 1) || !surfmink__finite(frame, 2 * (size_t)dim))
+    if (!surfmink__finite(g + 2 * (size_t)p, 2) || !surfmink__finite(&phase, 1) ||
+        !surfmink__finite(frame, 2 * (size_t)dim))
         return SURFMINK_NOT_FINITE;
     for (n = 0; n < p; ++n) {
         theta = surfmink__theta(g, p, sign, n) - phase;
