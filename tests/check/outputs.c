@@ -6,7 +6,8 @@
      ./a.out --compare FILE WITHIN   against those of another build: the same statuses, and differences of L and the area
                                      (relative; an area to 1e-3 L^2 at least), S, mu_p, g_p / L and mu_p p theta_p within WITHIN (1 + c)^2, where c is
                                      the condition that ACCURACY in surfmink.h names, or else the exit status is 1
-     --rounding up | down | zero     measured in that direction of rounding, where the machine has it
+     --rounding up | down | zero     measured in that direction of rounding, where the machine has it; or one after the
+                                     other, if there are several
 
    With -DOWN_FUNCTIONS sine, cosine and atan2 are functions of this file, for machines that have not the same libm.
 
@@ -395,6 +396,7 @@ static int round_towards(const char *direction)
     if (strcmp(direction, "up") == 0) return fesetround(FE_UPWARD);
     if (strcmp(direction, "down") == 0) return fesetround(FE_DOWNWARD);
     if (strcmp(direction, "zero") == 0) return fesetround(FE_TOWARDZERO);
+    if (strcmp(direction, "nearest") == 0) return fesetround(FE_TONEAREST);
 #endif
     (void)direction;
     return 1;
@@ -412,19 +414,9 @@ static void end(const char *batches, const char *name)
            (unsigned long)(digest >> 32), (unsigned long)(digest & 0xffffffff));
 }
 
-int main(int argc, char **argv)
+static void measure_all(void)
 {
     int i, call;
-    for (i = 0; i < OUTLINES; ++i) make_outline(shape + i, i);
-    for (i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--write") == 0 && i + 1 < argc)
-            to = fopen(argv[++i], "wb");
-        else if (strcmp(argv[i], "--compare") == 0 && i + 2 < argc) {
-            from = fopen(argv[++i], "rb");
-            within = strtod(argv[++i], NULL);
-        } else if (!(strcmp(argv[i], "--rounding") == 0 && i + 1 < argc && round_towards(argv[++i]) == 0))
-            return printf("%s: cannot be done\n", argv[i]), 2;
-    }
     for (call = 0; call < CALLS; ++call) {
         begin();
         for (i = 0; i < OUTLINES; ++i) single((enum call)call, shape + i);
@@ -438,13 +430,50 @@ int main(int argc, char **argv)
         batch((enum call)call);
         end("batch of ", call_name[call]);
     }
-    if (to && fclose(to)) return puts("not written"), 2;
-    if (!from) return 0;
-    if (fgetc(from) != EOF) ++wrong_statuses;
+}
+
+/* Whether all is as it was in the file. */
+static int compare_all(const char *direction)
+{
+    int i, same;
+    wrong_statuses = 0;
+    memset(worst, 0, sizeof worst);
+    rewind(from);
+    if (direction && round_towards(direction)) return printf("%s: no such direction of rounding\n", direction), 0;
+    measure_all();
+    round_towards("nearest");
+    same = wrong_statuses == 0 && fgetc(from) == EOF;
     printf("%d statuses differ; worst", wrong_statuses);
-    for (i = 0; i < 6; ++i) printf(" %s %.2g", quantity[i], worst[i]);
-    putchar('\n');
-    for (i = 0; i < 6; ++i)
-        if (!(worst[i] <= within)) ++wrong_statuses;
-    return wrong_statuses != 0;
+    for (i = 0; i < 6; ++i) {
+        printf(" %s %.2g", quantity[i], worst[i]);
+        if (!(worst[i] <= within)) same = 0;
+    }
+    puts(same ? "" : ": TOO MUCH");
+    return same;
+}
+
+int main(int argc, char **argv)
+{
+    const char *direction[3];
+    int i, directions = 0, same = 1;
+    for (i = 0; i < OUTLINES; ++i) make_outline(shape + i, i);
+    for (i = 1; i < argc; ++i) {
+        if (strcmp(argv[i], "--write") == 0 && i + 1 < argc)
+            to = fopen(argv[++i], "wb");
+        else if (strcmp(argv[i], "--compare") == 0 && i + 2 < argc) {
+            from = fopen(argv[++i], "rb");
+            within = strtod(argv[++i], NULL);
+            if (!from) return printf("%s: cannot be read\n", argv[i - 1]), 2;
+        } else if (strcmp(argv[i], "--rounding") == 0 && i + 1 < argc && directions < 3)
+            direction[directions++] = argv[++i];
+        else
+            return printf("%s: what is that?\n", argv[i]), 2;
+    }
+    if (!from) {
+        measure_all();
+        return to && fclose(to) ? 2 : 0;
+    }
+    if (directions == 0) return !compare_all(NULL);
+    for (i = 0; i < directions; ++i) same &= compare_all(direction[i]);
+    return !same;
 }
