@@ -2190,7 +2190,7 @@ static int surfmink__log(const surfmink_surface *surface, const double *x, const
 {
     int status;
     *length = direction[0] = direction[1] = 0;
-    status = surface->log(surface->context, x, y, length, direction);
+    status = (surface->log)(surface->context, x, y, length, direction); /* in brackets: tgmath.h has macros */
     if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
     if (!surfmink__finite(length, 1) || !surfmink__finite(direction, 2) || *length < 0) return SURFMINK_CALLBACK_FAILED;
     if (!(*length > 0)) return SURFMINK_COINCIDENT_CORNERS;
@@ -3129,11 +3129,11 @@ SURFMINK_DEF int surfmink_sphere_exp(const double x[3], const double vector[3], 
 static void surfmink__sphere_frame(const double *x, double e1[3], double e2[3])
 {
     double n[3], axis[3] = {0, 0, 0}, c[3];
-    size_t k, far = 0;
+    size_t k, least = 0;
     surfmink__unit(x, 3, n);
     for (k = 1; k < 3; ++k)
-        if (surfmink__abs(n[k]) < surfmink__abs(n[far])) far = k;
-    axis[far] = 1;
+        if (surfmink__abs(n[k]) < surfmink__abs(n[least])) least = k;
+    axis[least] = 1;
     surfmink__cross(axis, n, c);
     surfmink__unit(c, 3, e1);
     surfmink__cross(n, e1, e2);
@@ -3263,7 +3263,7 @@ SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, siz
 static int surfmink__exp(const surfmink_surface *surface, const double *x, const double direction[2], double length,
                          double *y)
 {
-    int status = surface->exp(surface->context, x, direction, length, y);
+    int status = (surface->exp)(surface->context, x, direction, length, y);
     if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
     return surfmink__finite(y, surface->stride) ? SURFMINK_OK : SURFMINK_CALLBACK_FAILED;
 }

@@ -45,30 +45,35 @@ printf '#include "surfmink.h"\n' > "$work/public.c"
 printf '#define SURFMINK_DISPATCH\n#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n' > "$work/dispatch.c"
 printf '#define SURFMINK_NO_SIMD\n#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n' > "$work/plain.c"
 
-# units COMPILER FLAGS...: each of these files.
+# units FILES COMPILER FLAGS...: each of these files.
 units() {
-    check "$(short "$*"), silent" "for unit in whole static public dispatch plain; do $* -I. -c $work/\$unit.c -o $here/unit.o; done"
+    units=$1
+    shift
+    check "$(short "$*"), silent" "for unit in $units; do $* -I. -c $work/\$unit.c -o $here/unit.o; done"
 }
+every="whole static public dispatch plain"
 for std in c89 c99 c11 c17 c2x; do
-    units gcc -std=$std $wall_c -Wc++-compat
-    units clang -std=$std -Weverything
+    case $std in c99) units=$every ;; *) units="whole static public" ;; esac
+    units "$units" gcc -std=$std $wall_c -Wc++-compat
+    units "$units" clang -std=$std -Weverything
 done
 for std in c++98 c++11 c++14 c++17 c++20 c++2b; do
-    units g++ -x c++ -std=$std $wall
-    units clang++ -x c++ -std=$std $wall
+    case $std in c++17) units=$every ;; *) units="whole static public" ;; esac
+    units "$units" g++ -x c++ -std=$std $wall
+    units "$units" clang++ -x c++ -std=$std $wall
 done
-units tcc -Wall
-units gcc -std=c99 $wall_c -O2
-units clang -std=c99 -Weverything -O2
+units "$every" tcc -Wall
+units "whole dispatch" gcc -std=c99 $wall_c -O2
+units "whole dispatch" clang -std=c99 -Weverything -O2
 for flags in "-O3 -march=haswell" "-O3 -march=skylake-avx512" "-O2 -fopenmp" "-Ofast"; do
     check "gcc $flags" "gcc -std=c99 $wall_c $flags -I. -c $work/whole.c -o $here/unit.o"
     check "g++ $flags" "g++ -x c++ -std=c++11 $wall $flags -I. -c $work/whole.c -o $here/unit.o"
     check "clang $flags" "clang -std=c99 -Weverything $flags -I. -c $work/whole.c -o $here/unit.o"
 done
-units $gcc32 -std=c99 $wall_c
-units $arm64 -std=c99 $wall_c -O2
-units $s390x -std=c99 $wall_c
-units musl-gcc -std=c99 $wall_c
+units whole $gcc32 -std=c99 $wall_c
+units whole $arm64 -std=c99 $wall_c -O2
+units whole $s390x -std=c99 $wall_c
+units whole musl-gcc -std=c99 $wall_c
 
 # --- what it leaves in a program --------------------------------------------------------------------------------------
 gcc -std=c99 -O2 -I. -c "$work/whole.c" -o "$work/whole.o"
@@ -235,8 +240,9 @@ same "with one libm" . ":gcc -std=c99 -O2" ":gcc -std=c89 -O0 -D_GNU_SOURCE" ":g
     ":clang -O3 -ffp-contract=off" ":gcc -std=c99 -O2 -fno-math-errno"
 same "in SSE2, without libm" . ":gcc $own -O2" ":clang $own -O2" ":musl-gcc $own -O1" \
     "qemu-i386:$gcc32 $own -O2 -msse2 -mfpmath=sse"
+# gcc 12 fuses for its vectors (vfmaddsub) even where -std=c99 says not to
 same "in AVX2, AVX-512 and NEON, without libm" . "qemu-aarch64:$arm64 $own -O2" ":gcc $own -O2 -DSURFMINK_DISPATCH" \
-    "qemu-x86_64 -cpu max:gcc $own -O3 -march=haswell" ":gcc $own -O1 -march=native" \
+    "qemu-x86_64 -cpu max:gcc $own -O3 -march=haswell -fno-tree-slp-vectorize" ":gcc $own -O1 -march=native" \
     "qemu-x86_64 -cpu max:clang $own -O2 -march=haswell -ffp-contract=off"
 same "in plain C, without libm" . ":tcc $own" ":gcc $own -O2 -DSURFMINK_NO_SIMD" "qemu-s390x:$s390x $own -O2" \
     "qemu-aarch64:$arm64 -DSURFMINK_NO_SIMD $own -O2"
