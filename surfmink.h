@@ -79,12 +79,22 @@
      more care.
 
    DETERMINISM
-     The same binary gives the same bits, whatever the thread or the locale, and in a batch whatever the other outlines
-     and the number of threads. Different compilers may round differently where they fuse a*b+c (-ffp-contract=off
-     forbids it) or where libm differs. Batches differ from single calls, and sets of vector instructions from each
-     other, by less than 1e-14 (1 + c)^2 in mu_p and g_p / L, p <= 12 (tests/test_batch.c): with SURFMINK_DISPATCH
-     results depend that much on the processor. AVX2 and AVX-512 agree to the bit. -ffast-math keeps finite results good
-     to 1e-12 but lets NaN and infinity pass unrefused, and removes the compensation of long sums.
+     The same program on the same machine gives the same bits, whatever the thread or the locale, and in a batch
+     whatever the other outlines and the number of threads. All functions give the same bits in other builds too (make
+     check compares gcc, clang and tcc; C and C++; -O0 to -O3; x86-64, 32-bit x86, arm64 and big-endian s390x; glibc and
+     musl), where
+       a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64; gcc 12
+         at -O3 does so in vectors, whatever it is told, where there is FMA, unless -fno-tree-slp-vectorize forbids those
+       doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
+       sin, cos and atan2 are the same. glibc has others for processors without FMA and for 32-bit x86, and musl its
+         own, so that one program may differ between machines. With functions of yours as SURFMINK_SIN, SURFMINK_COS and
+         SURFMINK_ATAN2 it does not
+       batches use the same instructions: SSE2, or none; AVX2, AVX-512 and NEON agree to the bit.
+     Otherwise bits differ and statuses stay. Batches differ from single calls, and sets of vector instructions from
+     each other, by less than 1e-14 (1 + c)^2 in mu_p and g_p / L, p <= 12 (tests/test_batch.c): with SURFMINK_DISPATCH
+     results depend that much on the processor. Fused a*b+c, x87, another libm and -ffast-math stay within that too; but
+     -ffast-math lets NaN and infinity pass unrefused and removes the compensation of long sums: 1e-12 at most. Where
+     the program rounds up, down or towards zero, the bound is 2e-14; of batches in vector instructions, 1e-6.
 
    HISTORY
      0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
