@@ -4,7 +4,7 @@
 #   make demo       measures countries, the H3 grid and a tissue; pictures in .build/demo/
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make test       all tests; needs cc and make, nothing else
-#   make check      compilers, dialects, warnings, sanitizers; needs what .ci/run installs
+#   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
 #   make bench      ns a corner, beside other ways to the same numbers; gcc, clang; 25 minutes, BENCH=--quick: 7
 #   make bench-count  instructions a corner of the same ways; needs gcc, valgrind and x86-64
@@ -106,7 +106,7 @@ mutants:
 	@mkdir -p $(BUILD)/mutants
 	python3 tests/mutants.py --jobs 2 $(MUTANTS) $(BUILD)/mutants
 
-check:
+check: all
 	@sh tests/run.sh $(BUILD)/check.total "sh tests/check.sh $(BUILD)/check"
 
 install: $(BUILD)/surfmink $(BUILD)/levelset

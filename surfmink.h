@@ -79,12 +79,22 @@
      more care.
 
    DETERMINISM
-     The same binary gives the same bits, whatever the thread or the locale, and in a batch whatever the other outlines
-     and the number of threads. Different compilers may round differently where they fuse a*b+c (-ffp-contract=off
-     forbids it) or where libm differs. Batches differ from single calls, and sets of vector instructions from each
-     other, by less than 1e-14 (1 + c)^2 in mu_p and g_p / L, p <= 12 (tests/test_batch.c): with SURFMINK_DISPATCH
-     results depend that much on the processor. AVX2 and AVX-512 agree to the bit. -ffast-math keeps finite results good
-     to 1e-12 but lets NaN and infinity pass unrefused, and removes the compensation of long sums.
+     The same program on the same machine gives the same bits, whatever the thread or the locale, and in a batch
+     whatever the other outlines and the number of threads. All functions give the same bits in other builds too (make
+     check compares gcc, clang and tcc; C and C++; -O0 to -O3; x86-64, 32-bit x86, arm64 and big-endian s390x; glibc and
+     musl), where
+       a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64; gcc 12
+         at -O3 does so in vectors, whatever it is told, where there is FMA, unless -fno-tree-slp-vectorize forbids those
+       doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
+       sin, cos and atan2 are the same. glibc has others for processors without FMA and for 32-bit x86, and musl its
+         own, so that one program may differ between machines. With functions of yours as SURFMINK_SIN, SURFMINK_COS and
+         SURFMINK_ATAN2 it does not
+       batches use the same instructions: SSE2, or none; AVX2, AVX-512 and NEON agree to the bit.
+     Otherwise bits differ and statuses stay. Batches differ from single calls, and sets of vector instructions from
+     each other, by less than 1e-14 (1 + c)^2 in mu_p and g_p / L, p <= 12 (tests/test_batch.c): with SURFMINK_DISPATCH
+     results depend that much on the processor. Fused a*b+c, x87, another libm and -ffast-math stay within that too; but
+     -ffast-math lets NaN and infinity pass unrefused and removes the compensation of long sums: 1e-12 at most. Where
+     the program rounds up, down or towards zero, the bound is 2e-14; of batches in vector instructions, 1e-6.
 
    HISTORY
      0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
@@ -650,7 +660,7 @@ typedef struct surfmink__job {
 
 #if SURFMINK__INSTANCE == SURFMINK__PLAIN
 #define SURFMINK__(name) surfmink__##name
-#define SURFMINK__LANES  1
+#define SURFMINK__LANES  ((size_t)1)
 #define SURFMINK__ALIGNED
 #define SURFMINK__WIDTH           1
 #define SURFMINK__GANG            1
@@ -668,7 +678,7 @@ typedef struct surfmink__job {
 #define SURFMINK__SIGNED(a, s)    ((s) < 0 ? -(a) : (a))
 #define SURFMINK__ROOT(a)         SURFMINK_SQRT(a)
 #else
-#define SURFMINK__LANES           8
+#define SURFMINK__LANES           ((size_t)8)
 #define SURFMINK__GANG            2
 #define SURFMINK__ALIGNED         __attribute__((aligned(64)))
 #define surfmink__real            SURFMINK__(real)
@@ -1343,7 +1353,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
         SURFMINK__(edges_sphere)(r, rows, first, stride, t);
     else {
         SURFMINK__(gather)(job->normal, 3, 1, run, rows, 0, r->column[3]);
-#if SURFMINK__LANES == 1
+#if SURFMINK__INSTANCE == SURFMINK__PLAIN
         for (lane = 0; lane < rows; ++lane) surfmink__shrink_normal(r->column[3] + 1 + lane);
 #endif
         SURFMINK__(edges_embedded)(r, rows, t);
@@ -2283,7 +2293,7 @@ static int surfmink__log(const surfmink_surface *surface, const double *x, const
 {
     int status;
     *length = direction[0] = direction[1] = 0;
-    status = surface->log(surface->context, x, y, length, direction);
+    status = (surface->log)(surface->context, x, y, length, direction); /* in brackets: tgmath.h has macros */
     if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
     if (!surfmink__finite(length, 1) || !surfmink__finite(direction, 2) || *length < 0) return SURFMINK_CALLBACK_FAILED;
     if (!(*length > 0)) return SURFMINK_COINCIDENT_CORNERS;
@@ -2748,15 +2758,15 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
             surfmink__raise(&rows, size, first - 1);
             for (p = 0; p < ranks; p += 3) {
                 surfmink__power_sums(&rows, size, p + 3 < ranks, part);
-                for (k = 0; k < 6; ++k) surfmink__add(sum + 2 * p + k, part[k]);
+                for (k = 0; k < 6; ++k) surfmink__add(sum + 2 * (size_t)p + k, part[k]);
             }
         }
         for (p = 0; p < ranks; ++p) {
-            re = surfmink__value(sum + 2 * p);
-            im = surfmink__value(sum + 2 * p + 1);
+            re = surfmink__value(sum + 2 * (size_t)p);
+            im = surfmink__value(sum + 2 * (size_t)p + 1);
             if (g) {
-                g[2 * (first + p)] = re / c->unit;
-                g[2 * (first + p) + 1] = im / c->unit;
+                g[2 * (size_t)(first + p)] = re / c->unit;
+                g[2 * (size_t)(first + p) + 1] = im / c->unit;
             }
             if (mu) mu[first + p] = surfmink__ratio(re, im, c->length * c->unit);
             if (theta) theta[first + p] = surfmink__argument(re, im) / (first + p);
@@ -2840,6 +2850,7 @@ static double surfmink__half_to(int p)
 SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor)
 {
     double last, krawtchouk, next, sum;
+    const double *at;
     int j, k;
     if (p < 0 || p > 1000) return SURFMINK_BAD_ARGUMENT;
     for (j = 0; j <= p; ++j) {
@@ -2847,7 +2858,8 @@ SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor)
         krawtchouk = surfmink__half_to(p);
         sum = 0;
         for (k = 0; 2 * k < p; ++k) {
-            sum += 2 * krawtchouk * surfmink__along_tau(g[2 * (p - 2 * k)], g[2 * (p - 2 * k) + 1], j);
+            at = g + 2 * (size_t)(p - 2 * k);
+            sum += 2 * krawtchouk * surfmink__along_tau(at[0], at[1], j);
             next = ((p - 2 * j) * krawtchouk - (p - k + 1) * last) / (k + 1);
             last = krawtchouk;
             krawtchouk = next;
@@ -2864,7 +2876,8 @@ SURFMINK_DEF int surfmink_trace_free(const double *g, int p, double *tensor)
     int j;
     if (p < 0 || p > 1000) return SURFMINK_BAD_ARGUMENT;
     half = surfmink__half_to(p - 1);
-    for (j = 0; j <= p; ++j) tensor[j] = half * surfmink__along_tau(g[2 * p], g[2 * p + 1], j);
+    g += 2 * (size_t)p;
+    for (j = 0; j <= p; ++j) tensor[j] = half * surfmink__along_tau(g[0], g[1], j);
     return SURFMINK_OK;
 }
 
@@ -2895,18 +2908,20 @@ SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vec
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
 {
     double largest;
+    const double *at;
     int p;
     if (max_rank < 0) return SURFMINK_BAD_ARGUMENT;
     if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
     if (!(g[0] > 0)) return SURFMINK_BAD_ARGUMENT;
     for (p = 0; p <= max_rank; ++p) {
-        largest = surfmink__max_abs(g + 2 * p, 2);
+        largest = surfmink__max_abs(g + 2 * (size_t)p, 2);
         if (!(largest <= 1e308 && largest / g[0] <= 1e308)) return SURFMINK_NOT_FINITE; /* or |g_p| may not be */
     }
     for (p = 0; p <= max_rank; ++p) {
-        if (lambda) lambda[p] = surfmink__modulus(g[2 * p], g[2 * p + 1]);
-        if (mu) mu[p] = surfmink__ratio(g[2 * p], g[2 * p + 1], g[0]);
-        if (theta) theta[p] = p > 0 ? surfmink__argument(g[2 * p], g[2 * p + 1]) / p : 0;
+        at = g + 2 * (size_t)p;
+        if (lambda) lambda[p] = surfmink__modulus(at[0], at[1]);
+        if (mu) mu[p] = surfmink__ratio(at[0], at[1], g[0]);
+        if (theta) theta[p] = p > 0 ? surfmink__argument(at[0], at[1]) / p : 0;
     }
     return SURFMINK_OK;
 }
@@ -2914,14 +2929,15 @@ SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda
 static double surfmink__theta(const double *g, int p, int sign, int n)
 {
     double half_turns = sign >= 0 ? 2.0 * n : 2.0 * n + 1;
-    return (surfmink__argument(g[2 * p], g[2 * p + 1]) + half_turns * surfmink__pi) / p;
+    g += 2 * (size_t)p;
+    return (surfmink__argument(g[0], g[1]) + half_turns * surfmink__pi) / p;
 }
 
 SURFMINK_DEF int surfmink_angles(const double *g, int p, int sign, double *theta)
 {
     int n;
     if (p < 1) return SURFMINK_BAD_ARGUMENT;
-    if (!surfmink__finite(g + 2 * p, 2)) return SURFMINK_NOT_FINITE;
+    if (!surfmink__finite(g + 2 * (size_t)p, 2)) return SURFMINK_NOT_FINITE;
     for (n = 0; n < p; ++n) theta[n] = surfmink__theta(g, p, sign, n);
     return SURFMINK_OK;
 }
@@ -2979,7 +2995,8 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
     double theta, cosine, sine;
     int n, k;
     if (p < 1 || dim < 2 || dim > 3) return SURFMINK_BAD_ARGUMENT;
-    if (!surfmink__finite(g + 2 * p, 2) || !surfmink__finite(&phase, 1) || !surfmink__finite(frame, 2 * (size_t)dim))
+    if (!surfmink__finite(g + 2 * (size_t)p, 2) || !surfmink__finite(&phase, 1) ||
+        !surfmink__finite(frame, 2 * (size_t)dim))
         return SURFMINK_NOT_FINITE;
     for (n = 0; n < p; ++n) {
         theta = surfmink__theta(g, p, sign, n) - phase;
@@ -3287,11 +3304,11 @@ SURFMINK_DEF int surfmink_sphere_exp(const double x[3], const double vector[3], 
 static void surfmink__sphere_frame(const double *x, double e1[3], double e2[3])
 {
     double n[3], axis[3] = {0, 0, 0}, c[3];
-    size_t k, far = 0;
+    size_t k, least = 0;
     surfmink__unit(x, 3, n);
     for (k = 1; k < 3; ++k)
-        if (surfmink__abs(n[k]) < surfmink__abs(n[far])) far = k;
-    axis[far] = 1;
+        if (surfmink__abs(n[k]) < surfmink__abs(n[least])) least = k;
+    axis[least] = 1;
     surfmink__cross(axis, n, c);
     surfmink__unit(c, 3, e1);
     surfmink__cross(n, e1, e2);
@@ -3421,7 +3438,7 @@ SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, siz
 static int surfmink__exp(const surfmink_surface *surface, const double *x, const double direction[2], double length,
                          double *y)
 {
-    int status = surface->exp(surface->context, x, direction, length, y);
+    int status = (surface->exp)(surface->context, x, direction, length, y);
     if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
     return surfmink__finite(y, surface->stride) ? SURFMINK_OK : SURFMINK_CALLBACK_FAILED;
 }

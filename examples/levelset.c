@@ -94,7 +94,7 @@ static int parse_function(const char *text, function *f)
     memcpy(f->parameter, usual, sizeof usual);
     f->axis = text[0];
     if (strchr("xyz", text[0]) && text[0] && !text[1]) return 1;
-    if (strncmp(text, "flower", 6) || (text[6] && text[6] != ':')) return 0;
+    if (strncmp(text, "flower", 6) != 0 || (text[6] && text[6] != ':')) return 0;
     if (!text[6]) return 1;
     for (k = 0, text += 6; k < 5 && *text; ++k) {
         char *end;
@@ -190,8 +190,8 @@ static int parse(int count, char **argument, options *o)
                 o->flip = 1;
             else
                 o->area = 1;
-        } else if (strcmp(name, "--at") && strcmp(name, "--inside") && strcmp(name, "--function") &&
-                   strcmp(name, "--subdivide") && strcmp(name, "--digits")) {
+        } else if (strcmp(name, "--at") != 0 && strcmp(name, "--inside") != 0 && strcmp(name, "--function") != 0 &&
+                   strcmp(name, "--subdivide") != 0 && strcmp(name, "--digits") != 0) {
             return complain("unknown option", name);
         } else if (!value && i + 1 == count) {
             return complain("a value is missing behind", name);
@@ -200,8 +200,8 @@ static int parse(int count, char **argument, options *o)
             if (!strcmp(name, "--at")) {
                 if (!number(value, &o->level[o->levels++])) return complain("--at wants a finite number, got", value);
             } else if (!strcmp(name, "--inside")) {
-                o->inside = strcmp(value, "above") ? MESH_BELOW : MESH_ABOVE;
-                if (o->inside == MESH_BELOW && strcmp(value, "below"))
+                o->inside = strcmp(value, "above") != 0 ? MESH_BELOW : MESH_ABOVE;
+                if (o->inside == MESH_BELOW && strcmp(value, "below") != 0)
                     return complain("--inside wants below or above, got", value);
             } else if (!strcmp(name, "--function")) {
                 o->function_text = value;

@@ -188,6 +188,7 @@ static void begin_run(run *r, int argc, char **argv)
 static void finish_run(run *r)
 {
     held_back.write = NULL;
+    held_back.context = NULL;
     wipe_progress();
     fflush(stdout);
     check_standard_output();

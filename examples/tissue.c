@@ -112,7 +112,7 @@ static void scatter(uint64_t state)
 /* The (at most reach) seeds nearest to seed i, nearest first; returns how many. */
 static int nearest(int i, int reach, int *near)
 {
-    double d2[MAX_REACH];
+    double d2[MAX_REACH] = {0};
     int j, k, count = 0;
     for (j = 0; j < cells; ++j) {
         double d = distance2(seed[i], seed[j]);

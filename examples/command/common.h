@@ -96,6 +96,18 @@ static void *grow(void *array, size_t *room, size_t need, size_t size)
     return resize(array, *room, size);
 }
 
+/* --- numbers into text -------------------------------------------------------------------------------------------- */
+
+/* A number that is not negative, with so many decimals: as printf, but the same in every locale. */
+static void put_decimals(FILE *file, double number, int decimals)
+{
+    long whole = 1, all;
+    int k;
+    for (k = 0; k < decimals; ++k) whole *= 10;
+    all = lround(number * (double)whole);
+    fprintf(file, "%ld.%0*ld", all / whole, decimals, all % whole);
+}
+
 /* --- counts out of text ------------------------------------------------------------------------------------------- */
 
 /* The whole text as a count: digits and nothing else, so neither -1 nor 1e3. */
