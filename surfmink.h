@@ -3147,7 +3147,9 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
     surfmink_functionals w;
     size_t bad = end >= at ? end - at : 0, rank;
     int status = SURFMINK_BAD_ARGUMENT;
-    if (end >= at && surfmink__known_job(job)) {
+    if (end >= at && surfmink__known_job(job) && end - at < 3) /* there may be no corner at all, nor a place for them */
+        status = SURFMINK_TOO_FEW_CORNERS;
+    else if (end >= at && surfmink__known_job(job)) {
         if (job->kind == SURFMINK__PLANE)
             o = surfmink__outline_of(SURFMINK__PLANE, job->corner + 2 * at, NULL, end - at);
         else if (job->kind == SURFMINK__SPHERE)

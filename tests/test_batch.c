@@ -1175,6 +1175,20 @@ THEOREM(no_outlines_are_none_refused_and_nothing_written)
         }
 }
 
+THEOREM(outlines_without_corners_need_no_place_for_them)
+{
+    static const size_t offset[3] = {0, 0, 0};
+    int status[2] = {-1, -1};
+    size_t bad[2] = {9, 9};
+    surfmink_results out = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL};
+    out.status = status;
+    out.bad = bad;
+    CHECK_EQUAL(surfmink_batch_embedded(NULL, NULL, offset, 2, 6, &out, NULL), 2);
+    CHECK_STATUS(status[0], SURFMINK_TOO_FEW_CORNERS);
+    CHECK_STATUS(status[1], SURFMINK_TOO_FEW_CORNERS);
+    CHECK(bad[0] == 0 && bad[1] == 0);
+}
+
 THEOREM(corners_before_the_first_offset_are_not_looked_at)
 {
     int surface, scratch;

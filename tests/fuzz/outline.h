@@ -235,7 +235,7 @@ static double rounding(const outline *o, const measured *m)
             if (at == next) break;
         }
     }
-    if (!(worst < 0.99)) return 1;
+    if (!(worst < 0.99 && least > 0)) return 1; /* a length may be too small for a double */
     return 4 * DBL_EPSILON * (o->kind == SPHERE ? o->radius / least : most / least) / (1 - worst);
 }
 
