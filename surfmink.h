@@ -593,9 +593,12 @@ static double surfmink__value(const surfmink__sum *sum)
 static double surfmink__scale(double m)
 {
     double scale = 1;
-    int k; /* not for ever, where -ffast-math lets an infinity through */
-    for (k = 0; k < 6 && m * scale > 1.2676506002282294e30; ++k) scale *= 6.2230152778611417e-61; /* 2^100, 2^-200 */
-    for (k = 0; k < 6 && m * scale < 7.8886090522101181e-31; ++k) scale *= 1.6069380442589903e60; /* 2^-100, 2^200 */
+    int k;
+    if (m >= 7.8886090522101181e-31 && m <= 1.2676506002282294e30) return 1; /* 2^-100, 2^100 */
+    for (k = 0; k < 5; ++k) {
+        if (m * scale > 1.2676506002282294e30) scale *= 6.2230152778611417e-61; /* 2^-200 */
+        if (m * scale < 7.8886090522101181e-31) scale *= 1.6069380442589903e60; /* 2^200 */
+    }
     return scale;
 }
 
@@ -3023,13 +3026,16 @@ static size_t surfmink__batch(surfmink__job *job, size_t count, surfmink__measur
     return refused;
 }
 
-/* The instance of the kernels for the machine at hand. */
-static surfmink__measure_window *surfmink__choose(void)
+/* The instance of the kernels for a processor that has AVX-512, or AVX2 with FMA; without SURFMINK_DISPATCH the one that
+   the compiler has been told. */
+static surfmink__measure_window *surfmink__instance(int avx512, int avx2)
 {
 #ifdef SURFMINK__DISPATCHES
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return surfmink__window_avx512;
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return surfmink__window_avx2;
+    if (avx512) return surfmink__window_avx512;
+    if (avx2) return surfmink__window_avx2;
 #endif
+    (void)avx512;
+    (void)avx2;
 #if SURFMINK__NATIVE == SURFMINK__AVX512
     return surfmink__window_avx512;
 #elif SURFMINK__NATIVE == SURFMINK__AVX2
@@ -3040,6 +3046,16 @@ static surfmink__measure_window *surfmink__choose(void)
     return surfmink__window_neon;
 #else
     return surfmink__window;
+#endif
+}
+
+static surfmink__measure_window *surfmink__choose(void)
+{
+#ifdef SURFMINK__DISPATCHES
+    return surfmink__instance((__builtin_cpu_supports("avx512f") != 0) & (__builtin_cpu_supports("avx512dq") != 0),
+                              (__builtin_cpu_supports("avx2") != 0) & (__builtin_cpu_supports("fma") != 0));
+#else
+    return surfmink__instance(0, 0);
 #endif
 }
 

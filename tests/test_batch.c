@@ -1544,6 +1544,15 @@ THEOREM(the_sphere_is_an_embedded_surface_up_to_lengths)
 }
 
 #ifdef SURFMINK__DISPATCHES
+THEOREM(a_processor_gets_the_widest_instance_that_it_can_run)
+{
+    CHECK(surfmink__instance(1, 1) == surfmink__window_avx512);
+    CHECK(surfmink__instance(1, 0) == surfmink__window_avx512);
+    CHECK(surfmink__instance(0, 1) == surfmink__window_avx2);
+    CHECK(surfmink__instance(0, 0) == surfmink__window_sse2);
+    CHECK(surfmink__choose() == surfmink__instance(can_run(4), can_run(3))); /* in instance_of */
+}
+
 /* Both have fused multiply-add and eight lanes; what stands in one register or in two is no matter. */
 THEOREM(avx2_and_avx512_agree_to_the_bit)
 {
@@ -1606,6 +1615,7 @@ int main(void)
         else
             NOTE("%s: not for this machine", instance_name(on_trial));
 #ifdef SURFMINK__DISPATCHES
+    PROVE(a_processor_gets_the_widest_instance_that_it_can_run);
     PROVE(avx2_and_avx512_agree_to_the_bit);
 #endif
     return QED();

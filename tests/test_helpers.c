@@ -294,6 +294,8 @@ THEOREM(a_pass_of_smoothing_takes_the_mean_of_each_corner_and_its_two_neighbours
         surfmink_smooth(smooth, n, stride, passes);
         CASE("trial %d, %d passes", trial, (int)passes);
         for (i = 0; i < n * stride; ++i) CHECK_NEAR(smooth[i], corner[i], 1e-15);
+        surfmink_smooth(smooth, 0, stride, 1); /* no corners are smooth */
+        for (i = 0; i < n * stride; ++i) CHECK_NEAR(smooth[i], corner[i], 1e-15);
     }
 }
 
