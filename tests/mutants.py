@@ -15,7 +15,7 @@ what only AVX2 and AVX-512 use is compiled for those. What is still alive is run
 number has changed: writing past an array is no wrong result, but a fault. A theorem is asked only if it runs the line
 that was changed, and those first that have killed in the same function. What became of a mutant is remembered in
 DIRECTORY by the text of its function and of the theorems, so that after an edit only what it touches is done again;
---again repeats survivors only, --quick leaves out the sanitizers. Lines for other processors are not mutated:
+--again repeats survivors only, --quick leaves out the sanitizers and theorems of more than a second. Lines for other processors are not mutated:
 tests/check.sh runs the tests on arm64. Needs tcc, gcc, addr2line and x86-64 with AVX-512; uses clang if there is one.
 """
 
@@ -249,6 +249,17 @@ void mutants_covered(const char *name)
 }
 """
 
+# All that is private becomes public, for tests that look inside.
+LIBRARY_C = r"""
+#include <math.h>
+#if defined(__SSE2__) && defined(__GNUC__) && !defined(SURFMINK_NO_SIMD)
+#include <immintrin.h>
+#endif
+#define static
+#define SURFMINK_IMPLEMENTATION
+#include "surfmink.h"
+"""
+
 SANITIZE = ['-fsanitize=address,undefined', '-fno-sanitize-recover=all']
 FAST = ['clang' if shutil.which('clang') else 'gcc', '-w', '-O0', '-fgnu89-inline', '-fPIC']
 STRICT = ['gcc', '-w', '-O1', '-fgnu89-inline', '-fPIC'] + SANITIZE
@@ -289,8 +300,8 @@ class Judge:
     def snapshot(self):
         for folder in self.tree, self.unmutated: shutil.rmtree(folder, ignore_errors=True)
         for part in 'examples', 'tests': shutil.copytree(os.path.join(ROOT, part), os.path.join(self.tree, part))
-        os.makedirs(self.unmutated)
-        for folder in self.tree, self.unmutated: self.write(os.path.join(folder, 'surfmink.h'), self.header.text)
+        self.write(os.path.join(self.tree, 'surfmink.h'), self.header.text)
+        self.place(self.unmutated, self.header.text)
         self.tests, self.hash, self.common = [], {}, '\n'.join(self.header.lines[:self.header.first])
         for folder in 'tests', 'examples/surfaces':
             for name in sorted(os.listdir(os.path.join(self.tree, folder))):
@@ -303,10 +314,6 @@ class Judge:
         self.write(os.path.join(self.tree, 'tests', 'mutants.h'), MUTANTS_H)
         self.write(os.path.join(self.tree, 'cover.c'), COVER_C)
         self.write(os.path.join(self.tree, 'inside.h'), self.inside())
-        # All that is private becomes public, for tests that look inside.
-        self.write(os.path.join(self.tree, 'library.c'), '#include <math.h>\n#if defined(__SSE2__) && defined(__GNUC__) && '
-                   '!defined(SURFMINK_NO_SIMD)\n#include <immintrin.h>\n#endif\n#define static\n'
-                   '#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n')
         for name in sorted(os.listdir(os.path.join(self.tree, 'tests'))):
             if not re.match(r'test_.*\.c$', name): continue
             path, test = os.path.join(self.tree, 'tests', name), name[:-2]
@@ -319,6 +326,12 @@ class Judge:
                 self.write(path.replace('.c', '.whole.c'), text)
                 text = text.replace('#include "surfmink.h"', '#include "surfmink.h"\n#include "inside.h"')
             self.write(path, re.sub(r'(?m)^#define SURFMINK_(IMPLEMENTATION|DISPATCH).*', '', text))
+
+    def place(self, folder, text):
+        """A header and what is compiled of it."""
+        os.makedirs(folder, exist_ok=True)
+        self.write(os.path.join(folder, 'surfmink.h'), text)
+        self.write(os.path.join(folder, 'library.c'), LIBRARY_C)
 
     def inside(self):
         """Declarations of what test_batch.c uses of the implementation."""
@@ -342,7 +355,7 @@ class Judge:
         command = STAGES[stage][0] + FLAGS + ['-I' + place, '-I' + self.tree]
         if stage == 'avx':
             return not run(command + [self.source(BATCHES + '.whole'), '-o', os.path.join(place, BATCHES), '-lm'], place)[0]
-        return not run(command + ['-shared', os.path.join(self.tree, 'library.c'), '-o',
+        return not run(command + ['-shared', os.path.join(place, 'library.c'), '-o',
                                   os.path.join(place, 'libsurfmink.so'), '-lm'], place)[0]
 
     def prepare(self, stage):
@@ -365,8 +378,11 @@ class Judge:
             before = []
             for theorem, seconds in re.findall(r'> (\w+)\n(?:[^<>].*\n)*?< ([\d.]+)', said):
                 name = '%s:%s' % (test, theorem)
+                if self.quick and float(seconds) > 1: continue
                 self.seconds[stage, name] = float(seconds)
-                if stage == 'plain' and self.ask(stage, test, [name], self.unmutated)[0]: self.needs[name] = before[:]
+                if stage == 'plain' and self.ask(stage, test, [name], self.unmutated)[0]:
+                    self.needs[name] = before[:]
+                    if self.ask(stage, test, [name], self.unmutated)[0]: del self.seconds[stage, name]
                 before.append(name)
 
     def ask(self, stage, test, theorems, place):
@@ -375,7 +391,7 @@ class Judge:
         more = {'LD_LIBRARY_PATH': place, 'ASAN_OPTIONS': 'detect_leaks=0'}
         if stage == 'avx': more['MUTANTS_ALL'] = '1'
         if theorems is None: return run([program], self.tree, 300, **more)
-        theorems = [t for needed in theorems for t in self.needs.get(needed, []) + [needed]]
+        theorems = [t for needed in theorems for t in self.needs.get(needed, []) + [needed] if (stage, t) in self.seconds]
         more['MUTANTS_ONLY'] = ' %s ' % ' '.join(t.split(':')[1] for t in theorems)
         return run([program], self.tree, 0.3 + 4 * sum(self.seconds[stage, t] for t in theorems), **more)
 
@@ -390,7 +406,7 @@ class Judge:
         os.makedirs(place, exist_ok=True)
         library, cover = os.path.join(place, 'library.o'), os.path.join(place, 'cover.o')
         run(['gcc', '-w', '-O0', '-g', '-fgnu89-inline', '-fno-pie', '-fsanitize-coverage=trace-pc', '-std=c99',
-             '-DSURFMINK_NO_SIMD', '-I' + self.tree, '-c', os.path.join(self.tree, 'library.c'), '-o', library], place)
+             '-DSURFMINK_NO_SIMD', '-I' + self.tree, '-c', os.path.join(self.unmutated, 'library.c'), '-o', library], place)
         run(['gcc', '-O2', '-fno-pie', '-c', os.path.join(self.tree, 'cover.c'), '-o', cover], place)
         for test in self.tests:
             program, log = os.path.join(place, test), os.path.join(place, test + '.log')
@@ -442,10 +458,9 @@ class Judge:
         """{'fate': theorem that killed it, 'survived' or 'not compiled', ...}"""
         passed = set(remembered.get('passed', [])) if remembered.get('fate') == 'survived' else set()
         place = os.path.join(self.work, 'mutant%d' % index)
-        os.makedirs(place, exist_ok=True)
         name = self.header.functions[m.line][0]
         try:
-            self.write(os.path.join(place, 'surfmink.h'), self.header.text_of(m))
+            self.place(place, self.header.text_of(m))
             for stage in self.stages(m):
                 built = False
                 for group in self.candidates(m, stage, remembered.get('fate')):
