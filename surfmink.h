@@ -754,6 +754,7 @@ typedef struct SURFMINK__ALIGNED SURFMINK__(totals) {
     double sum[SURFMINK__SUMS][SURFMINK__LANES];
     double known[SURFMINK__LANES];    /* S, as well as it can be known */
     double sharpest[SURFMINK__LANES]; /* largest |alpha_i| */
+    double widest[SURFMINK__LANES];   /* largest |alpha_0 + ... + alpha_i| */
     double largest[SURFMINK__LANES];  /* largest sine or cosine, whose common factor is that of the unit */
     double expected[SURFMINK__LANES]; /* good rows, if all are */
     double behind[SURFMINK__LANES];   /* turns between the middle of edge 0 and the lane */
@@ -1108,22 +1109,26 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
 /* turned_i = alpha_0 + ... + alpha_i of the rows at hand, whose sum is the last of them. */
 SURFMINK__KERNEL void SURFMINK__(angles)(SURFMINK__(rows) *r, size_t rows, SURFMINK__(totals) *t)
 {
-    surfmink__real angle, size, turned, turns, sharpest;
+    surfmink__real angle, size, sum, lost, turned, turns, sharpest, widest;
     size_t lane, i;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
-        turned = turns = SURFMINK__SET(0.0);
+        sum = lost = turned = turns = SURFMINK__SET(0.0);
         sharpest = SURFMINK__LOAD(t->sharpest + lane);
+        widest = SURFMINK__SET(0.0);
         for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES) {
             angle = SURFMINK__(atan2)(SURFMINK__LOAD(r->turned + i), SURFMINK__LOAD(r->cosine + i));
             size = SURFMINK__ABS(angle);
-            turned = turned + angle;
+            SURFMINK__(add_length)(angle, &sum, &lost);
+            turned = sum + lost;
             turns = turns + size;
             sharpest = SURFMINK__MAX(sharpest, size);
+            widest = SURFMINK__MAX(widest, SURFMINK__ABS(turned));
             SURFMINK__STORE(r->turned + i, turned);
         }
         SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, turned);
         SURFMINK__STORE(t->sum[SURFMINK__TURNS] + lane, turns);
         SURFMINK__STORE(t->sharpest + lane, sharpest);
+        SURFMINK__STORE(t->widest + lane, widest);
     }
 }
 
@@ -1253,6 +1258,7 @@ SURFMINK__KERNEL void SURFMINK__(spectrum)(SURFMINK__(ranks) *r, const double *l
 /* Outlines of at most SURFMINK__ROWS corners, a lane each; or the strips of one that is longer. */
 typedef struct SURFMINK__(group) {
     surfmink__sum sum[SURFMINK__SUMS][SURFMINK__LANES]; /* strips: sums over the rows so far */
+    double widest[SURFMINK__LANES];                     /* strips: the same of the sum of turns */
     size_t outline[SURFMINK__LANES];                    /* which one of the batch */
     size_t base[SURFMINK__LANES];                       /* its first corner */
     size_t size[SURFMINK__LANES];                       /* how many it has */
@@ -1348,7 +1354,8 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
 
 /* Which lanes are ordinary, so that these results stand: their number of good rows becomes 1, that of others 0. The
    rest is left to the calls that look at each corner. S is what the surface says it is: 2 pi in the plane, 2 pi - area
-   on the sphere, which has more digits than a sum of rounded turns. Phases go by the sum, for that closes. */
+   on the sphere, which has more digits than a sum of rounded turns. Phases go by the sum, for that closes. Rounding is
+   multiplied by 1 / S, and where the sum of the turns exceeds S by far on the way, once more by that: such are left. */
 SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(totals) *t)
 {
     surfmink__real length, turning, area, known;
@@ -1367,8 +1374,9 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->sharpest + lane), SURFMINK__SET(3.14159265358978)); /* spikes */
         fine = fine & SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(1e-3), SURFMINK__LOAD(t->sum[SURFMINK__TURNS] + lane),
-                                                   SURFMINK__SET(1e-3)),
+                                                   SURFMINK__SET(0.3)),
                                      known);
+        fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->widest + lane), SURFMINK__SET(2.0) * known);
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
         area = SURFMINK__LOAD(t->sum[SURFMINK__AREA] + lane);
         if (job->kind == SURFMINK__SPHERE) fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), area);
@@ -1469,7 +1477,7 @@ SURFMINK__KERNEL void SURFMINK__(begin)(SURFMINK__(totals) *t)
     size_t lane, k;
     for (lane = 0; lane < SURFMINK__LANES; ++lane) {
         for (k = 0; k < SURFMINK__SUMS; ++k) t->sum[k][lane] = 0;
-        t->sharpest[lane] = t->largest[lane] = 0;
+        t->sharpest[lane] = t->widest[lane] = t->largest[lane] = 0;
     }
 }
 
@@ -1498,13 +1506,15 @@ SURFMINK__KERNEL void SURFMINK__(measure_short)(const surfmink__job *job, SURFMI
 SURFMINK__KERNEL void SURFMINK__(measure_strips)(const surfmink__job *job, SURFMINK__(group) *g, size_t row,
                                                  size_t rows, SURFMINK__(rows) *r, SURFMINK__(totals) *t)
 {
-    double before;
+    double before, wide;
     size_t lane, i, k;
     if (row == 0) SURFMINK__(begin)(t);
     SURFMINK__(measure_rows)(job, g, row, rows, r, t);
     for (lane = 0; lane < SURFMINK__LANES; ++lane) {
         for (k = 0; k < SURFMINK__SUMS && row == 0; ++k) g->sum[k][lane].high = g->sum[k][lane].low = 0;
         before = surfmink__value(&g->sum[SURFMINK__TURNING][lane]);
+        wide = surfmink__abs(before) + t->widest[lane];
+        if (row == 0 || wide > g->widest[lane]) g->widest[lane] = wide;
         for (i = lane; i < rows * SURFMINK__LANES && job->kind != SURFMINK__PLANE; i += SURFMINK__LANES)
             r->turned[i] += before;
         for (k = 0; k < SURFMINK__SUMS; ++k) surfmink__add(&g->sum[k][lane], t->sum[k][lane]);
@@ -1538,11 +1548,15 @@ SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK_
 SURFMINK__KERNEL void SURFMINK__(join)(const SURFMINK__(group) *g, SURFMINK__(totals) *t)
 {
     surfmink__sum sum;
+    double before, widest = 0;
     size_t lane, k;
     for (k = 0; k < SURFMINK__SUMS; ++k) {
         sum.high = sum.low = 0;
         for (lane = 0; lane < SURFMINK__LANES; ++lane) {
-            if (k == SURFMINK__TURNING) t->behind[lane] += surfmink__value(&sum);
+            before = surfmink__value(&sum);
+            if (k == SURFMINK__TURNING) t->behind[lane] += before;
+            if (k == SURFMINK__TURNING && surfmink__abs(before) + g->widest[lane] > widest)
+                widest = surfmink__abs(before) + g->widest[lane];
             surfmink__add(&sum, g->sum[k][lane].high);
             surfmink__add(&sum, g->sum[k][lane].low);
         }
@@ -1552,6 +1566,7 @@ SURFMINK__KERNEL void SURFMINK__(join)(const SURFMINK__(group) *g, SURFMINK__(to
         if (t->sharpest[lane] > t->sharpest[0]) t->sharpest[0] = t->sharpest[lane];
         if (t->largest[lane] > t->largest[0]) t->largest[0] = t->largest[lane];
     }
+    t->widest[0] = widest;
 }
 
 /* Cuts an outline into strips of like length. */
@@ -1814,28 +1829,86 @@ static void surfmink__unit(const double *v, size_t dim, double *unit)
     for (k = 0; k < dim; ++k) unit[k] = u[k] / norm;
 }
 
-/* a b - c d with the digits that survive when the two products cancel. Factors of ordinary magnitude are split into a
-   float and a rest, whose products are exact doubles: no compiler can spoil that by fusing a product with a sum. */
-static double surfmink__det(double a, double b, double c, double d)
+/* --- numbers with twice the digits: high is the double next to it, low what is left ------------------------------- */
+
+/* Adds a b, for factors of ordinary magnitude: split into a float and a rest they have products that are exact doubles,
+   but for the last, which is next to nothing; no compiler can spoil that by fusing a product with a sum. */
+static void surfmink__add_product(surfmink__sum *sum, double a, double b)
 {
-    double a_high = (double)(float)a, b_high = (double)(float)b, c_high = (double)(float)c, d_high = (double)(float)d;
-    double a_low = a - a_high, b_low = b - b_high, c_low = c - c_high, d_low = d - d_high;
-    surfmink__sum sum;
-    sum.high = a_high * b_high - c_high * d_high; /* exact where the two cancel */
-    sum.low = a_low * b_low - c_low * d_low;
-    surfmink__add(&sum, a_high * b_low);
-    surfmink__add(&sum, a_low * b_high);
-    surfmink__add(&sum, -(c_high * d_low));
-    surfmink__add(&sum, -(c_low * d_high));
-    return surfmink__value(&sum);
+    double a_high = (double)(float)a, b_high = (double)(float)b, a_low = a - a_high, b_low = b - b_high;
+    surfmink__add(sum, a_high * b_high);
+    surfmink__add(sum, a_high * b_low);
+    surfmink__add(sum, a_low * b_high);
+    surfmink__add(sum, a_low * b_low);
 }
 
-/* a x b that keeps its digits when a and b are almost parallel. */
-static void surfmink__fine_cross(const double a[3], const double b[3], double c[3])
+static void surfmink__add_fine(surfmink__sum *sum, surfmink__sum a, surfmink__sum b)
 {
-    c[0] = surfmink__det(a[1], b[2], a[2], b[1]);
-    c[1] = surfmink__det(a[2], b[0], a[0], b[2]);
-    c[2] = surfmink__det(a[0], b[1], a[1], b[0]);
+    surfmink__add_product(sum, a.high, b.high);
+    surfmink__add(sum, a.high * b.low);
+    surfmink__add(sum, a.low * b.high);
+}
+
+static surfmink__sum surfmink__fine(double high, double low)
+{
+    surfmink__sum fine;
+    fine.high = high;
+    fine.low = 0;
+    surfmink__add(&fine, low);
+    return fine;
+}
+
+static surfmink__sum surfmink__minus(surfmink__sum a)
+{
+    a.high = -a.high;
+    a.low = -a.low;
+    return a;
+}
+
+/* a b + c d */
+static surfmink__sum surfmink__fine_pair(surfmink__sum a, surfmink__sum b, surfmink__sum c, surfmink__sum d)
+{
+    surfmink__sum sum = {0, 0};
+    surfmink__add_fine(&sum, a, b);
+    surfmink__add_fine(&sum, c, d);
+    return surfmink__fine(sum.high, sum.low);
+}
+
+static surfmink__sum surfmink__fine_dot(const surfmink__sum a[3], const surfmink__sum b[3])
+{
+    surfmink__sum sum = {0, 0};
+    size_t k;
+    for (k = 0; k < 3; ++k) surfmink__add_fine(&sum, a[k], b[k]);
+    return surfmink__fine(sum.high, sum.low);
+}
+
+static void surfmink__fine_cross(const surfmink__sum a[3], const surfmink__sum b[3], surfmink__sum c[3])
+{
+    c[0] = surfmink__fine_pair(a[1], b[2], surfmink__minus(a[2]), b[1]);
+    c[1] = surfmink__fine_pair(a[2], b[0], surfmink__minus(a[0]), b[2]);
+    c[2] = surfmink__fine_pair(a[0], b[1], surfmink__minus(a[1]), b[0]);
+}
+
+static surfmink__sum surfmink__fine_root(surfmink__sum x)
+{
+    double root = SURFMINK_SQRT(x.high);
+    surfmink__add_product(&x, -root, root);
+    return surfmink__fine(root, surfmink__value(&x) / (2 * root));
+}
+
+/* Brings a vector into [1, 2), its largest component, by a power of two, which comes back. Zero stays zero. */
+static double surfmink__fine_shrink(surfmink__sum *v, size_t dim)
+{
+    double m = 0, scale;
+    size_t k;
+    for (k = 0; k < dim; ++k)
+        if (surfmink__abs(v[k].high) > m) m = surfmink__abs(v[k].high);
+    scale = m > 0 ? surfmink__binade(m) : 1;
+    for (k = 0; k < dim; ++k) {
+        v[k].high *= scale;
+        v[k].low *= scale;
+    }
+    return scale;
 }
 
 static int surfmink__blame(int status, size_t corner, size_t *bad)
@@ -1874,144 +1947,163 @@ static double surfmink__angle(double y, double x)
     return SURFMINK_ATAN2(y, x);
 }
 
-/* Two edges, brought to ordinary magnitude together, so that results scale exactly with the unit; each on its own
-   only if one is next to nothing beside the other. */
-static void surfmink__ordinary_pair(const double *in, const double *out, size_t dim, double *a, double *b)
-{
-    double in_size = surfmink__max_abs(in, dim), out_size = surfmink__max_abs(out, dim), scale;
-    size_t k;
-    scale = surfmink__scale(in_size > out_size ? in_size : out_size);
-    for (k = 0; k < dim; ++k) {
-        a[k] = in[k] * scale;
-        b[k] = out[k] * scale;
-    }
-    if (in_size * scale < 6.2230152778611417e-61) surfmink__shrink(in, dim, a); /* 2^-200 */
-    if (out_size * scale < 6.2230152778611417e-61) surfmink__shrink(out, dim, b);
-}
-
-/* a x b = a x (b - a) with a the shorter: at nearly straight corners of like edges it does not cancel. */
+/* Turn from one direction in a plane to another, of any magnitudes. */
 static double surfmink__turn_plane(const double in[2], const double out[2])
 {
-    double a[2], b[2], d[2], cross;
-    surfmink__ordinary_pair(in, out, 2, a, b);
-    surfmink__sub(b, a, 2, d);
-    if (a[0] * a[0] + a[1] * a[1] <= b[0] * b[0] + b[1] * b[1])
-        cross = a[0] * d[1] - a[1] * d[0];
-    else
-        cross = d[1] * b[0] - d[0] * b[1];
-    return surfmink__angle(cross, a[0] * b[0] + a[1] * b[1]);
-}
-
-/* Turn from one edge to the next in the plane orthogonal to a normal of any length. */
-static double surfmink__turn_embedded(const double in[3], const double out[3], const double normal[3])
-{
-    double a[3], b[3], n[3], nn, sine, cosine;
-    surfmink__ordinary_pair(in, out, 3, a, b);
-    surfmink__shrink(normal, 3, n);
-    nn = surfmink__dot(n, n);
-    surfmink__turn(a, surfmink__dot(a, a), b, surfmink__dot(b, b), n, nn, SURFMINK_SQRT(nn), surfmink__dot(b, n), &sine,
-                   &cosine);
-    return surfmink__angle(sine, cosine);
-}
-
-/* n x (b - a): the difference keeps what rounding takes from it, for where it is almost along n that is all there
-   is. */
-static void surfmink__across(const double n[3], const double a[3], const double b[3], double across[3])
-{
-    double edge[3], lost[3], part[3], kept, scale;
+    surfmink__sum a[2], b[2];
     size_t k;
-    surfmink__sub(b, a, 3, edge);
-    scale = surfmink__scale(surfmink__max_abs(edge, 3));
-    for (k = 0; k < 3; ++k) {
-        kept = edge[k] - b[k];
-        lost[k] = ((b[k] - (edge[k] - kept)) - (a[k] + kept)) * scale;
-        edge[k] *= scale;
+    for (k = 0; k < 2; ++k) {
+        a[k] = surfmink__fine(in[k], 0);
+        b[k] = surfmink__fine(out[k], 0);
     }
-    surfmink__fine_cross(n, edge, across);
-    surfmink__cross(n, lost, part);
-    for (k = 0; k < 3; ++k) across[k] += part[k];
+    surfmink__fine_shrink(a, 2);
+    surfmink__fine_shrink(b, 2);
+    return surfmink__angle(surfmink__fine_pair(a[0], b[1], surfmink__minus(a[1]), b[0]).high,
+                           surfmink__fine_pair(a[0], b[0], a[1], b[1]).high);
 }
 
-/* An edge that is steeper than 45 degrees against the tangent plane loses digits in the formula above. */
-static int surfmink__steep(const double edge[3], const double normal[3])
-{
-    double e[3], n[3], along;
-    surfmink__shrink(edge, 3, e);
-    surfmink__shrink(normal, 3, n);
-    along = surfmink__dot(e, n);
-    return 2 * along * along > surfmink__dot(e, e) * surfmink__dot(n, n);
-}
-
-/* The same turn for steep edges: both are projected first (and turned by 90 degrees), which costs them nothing. */
-static double surfmink__turn_steep(const double *previous, const double *x, const double *next, const double *normal)
-{
-    double n[3], a[3], b[3], cross[3];
-    surfmink__shrink(normal, 3, n);
-    surfmink__across(n, previous, x, a);
-    surfmink__across(n, x, next, b);
-    surfmink__shrink(a, 3, a);
-    surfmink__shrink(b, 3, b);
-    surfmink__fine_cross(a, b, cross);
-    return surfmink__angle(surfmink__dot(n, cross) / SURFMINK_SQRT(surfmink__dot(n, n)), surfmink__dot(a, b));
-}
-
-/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; on its own if absurdly far off. */
+/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; on its own if far off. Returns the scale. */
 static double surfmink__sphere_point(const surfmink__outline *o, size_t i, double x[3])
 {
     const double *corner = o->corner + 3 * i;
-    double m, scale = o->scale;
+    double m = surfmink__max_abs(corner, 3), scale = o->scale;
     size_t k;
-    m = surfmink__max_abs(corner, 3);
-    if (!(m * scale <= 1.2676506002282294e30 && m * scale >= 7.8886090522101181e-31)) /* 2^100, 2^-100 */
-        scale = surfmink__binade(m);
+    if (!(m * scale < 32 && m * scale >= 1.0 / 32)) scale = surfmink__binade(m);
     for (k = 0; k < 3; ++k) x[k] = corner[k] * scale;
-    return SURFMINK_SQRT(surfmink__dot(x, x));
+    return scale;
 }
 
-/* y/|y| - x/|x| without cancellation: with d = y - x and h = |y| - |x| = d.(x + y)/(|x| + |y|) it is (d - x h/|x|)/|y|.
-   Where x and y differ mostly in their distance from the centre, that leaves little: then it is put together from its
-   parts along and across x, with sine m/(|x||y|) and cosine of the angle between them, m = x x y in all its digits.
-   Returns its length, or 0 where that is no more than what rounding of x and y makes of h. */
-static double surfmink__chord(const double x[3], double x_norm, const double y[3], double y_norm, double chord[3])
+/* Corner i in space. */
+static void surfmink__point(const surfmink__outline *o, size_t i, double x[3])
 {
-    double d[3], sum[3], m[3], across[3], h, off, length, sine, cosine, fall;
-    size_t k;
-    surfmink__sub(y, x, 3, d);
-    for (k = 0; k < 3; ++k) sum[k] = x[k] + y[k];
-    h = surfmink__dot(d, sum) / (x_norm + y_norm);
-    for (k = 0; k < 3; ++k) chord[k] = (d[k] - x[k] * (h / x_norm)) / y_norm;
-    length = surfmink__norm(chord, 3);
-    if (surfmink__abs(h) > length * y_norm) {
-        surfmink__fine_cross(x, y, m);
-        surfmink__cross(m, x, across);
-        sine = surfmink__norm(m, 3) / x_norm / y_norm;
-        cosine = surfmink__dot(x, y) / x_norm / y_norm;
-        fall = cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
-        for (k = 0; k < 3; ++k) chord[k] = across[k] / x_norm / x_norm / y_norm - x[k] / x_norm * fall;
-        length = surfmink__norm(chord, 3);
+    const double *corner = o->corner + (size_t)o->dim * i;
+    if (o->kind == SURFMINK__SPHERE) {
+        surfmink__sphere_point(o, i, x);
+        return;
     }
-    off = surfmink__abs(h) / (x_norm > y_norm ? x_norm : y_norm);
-    return length > 8 * surfmink__eps * off ? length : 0;
+    x[0] = corner[0];
+    x[1] = corner[1];
+    x[2] = o->dim == 3 ? corner[2] : 0;
 }
 
-/* The great-circle edge from x to y: direction at x (up to length and a part along x) and angle at the centre. Beyond
-   a right angle the sum of the unit vectors takes the place of their difference: it has the same tangential part and
-   shrinks. Corners within 8 eps of antipodal are refused: the direction of their edge would be the rounding of the
-   corners. */
-static int surfmink__arc(const double x[3], double x_norm, const double y[3], double y_norm, double direction[3],
-                         double *angle)
+/* The normal at corner i, of ordinary length. */
+static void surfmink__axis(const surfmink__outline *o, size_t i, surfmink__sum axis[3])
 {
-    double opposite[3], gap;
+    const double up[3] = {0, 0, 1};
+    const double *normal = o->kind == SURFMINK__PLANE ? up : o->kind == SURFMINK__SPHERE ? o->corner : o->normal;
+    size_t k, at = o->kind == SURFMINK__PLANE ? 0 : 3 * i;
+    for (k = 0; k < 3; ++k) axis[k] = surfmink__fine(normal[at + k], 0);
+    surfmink__fine_shrink(axis, 3);
+}
+
+/* n x (y - x): the edge from x to y as seen along the normal n and turned by 90 degrees, times a power of two, which
+   comes back. What rounding takes from y - x is kept, for where the edge is almost along n that is all there is. */
+static double surfmink__seen(const surfmink__sum n[3], const double x[3], const double y[3], surfmink__sum seen[3])
+{
+    surfmink__sum edge[3];
+    double scale;
     size_t k;
-    int obtuse = surfmink__dot(x, y) < 0;
-    for (k = 0; k < 3; ++k) opposite[k] = obtuse ? -y[k] : y[k];
-    gap = surfmink__chord(x, x_norm, opposite, y_norm, direction);
-    if (obtuse && !(gap > 8 * surfmink__eps)) return SURFMINK_ANTIPODAL_CORNERS;
-    if (!(gap > 0)) return SURFMINK_COINCIDENT_CORNERS;
-    *angle = surfmink__arc_angle(gap, gap * gap);
-    if (!obtuse) return SURFMINK_OK;
-    *angle = surfmink__pi - *angle;
-    for (k = 0; k < 3; ++k) direction[k] = -direction[k];
+    for (k = 0; k < 3; ++k) edge[k] = surfmink__fine(y[k], -x[k]);
+    scale = surfmink__fine_shrink(edge, 3);
+    surfmink__fine_cross(n, edge, seen);
+    return scale;
+}
+
+static double surfmink__fine_norm(const surfmink__sum v[3])
+{
+    double u[3];
+    size_t k;
+    for (k = 0; k < 3; ++k) u[k] = v[k].high;
+    return surfmink__norm(u, 3);
+}
+
+/* n . (a x b) for a and b orthogonal to n: |n| |a| |b| times the sine of the turn from a to b. */
+static surfmink__sum surfmink__fine_triple(const surfmink__sum n[3], const surfmink__sum a[3], const surfmink__sum b[3])
+{
+    surfmink__sum cross[3];
+    surfmink__fine_cross(a, b, cross);
+    return surfmink__fine_dot(n, cross);
+}
+
+/* What a corner is measured from. */
+typedef struct surfmink__corner {
+    double before[3], x[3], next[3];
+    surfmink__sum n[3];
+} surfmink__corner;
+
+static surfmink__corner surfmink__corner_of(const surfmink__outline *o, size_t i)
+{
+    surfmink__corner c;
+    surfmink__point(o, surfmink__previous(o, i), c.before);
+    surfmink__point(o, i, c.x);
+    surfmink__point(o, surfmink__next(o, i), c.next);
+    surfmink__axis(o, i, c.n);
+    return c;
+}
+
+/* Cosine and sine of the turn at a corner, up to a common factor, with twice the digits. */
+static void surfmink__fine_turn(const surfmink__corner *c, surfmink__sum turn[2])
+{
+    surfmink__sum in[3], out[3], along = {0, 0};
+    surfmink__seen(c->n, c->before, c->x, in);
+    surfmink__seen(c->n, c->x, c->next, out);
+    surfmink__add_fine(&along, surfmink__fine_dot(in, out), surfmink__fine_root(surfmink__fine_dot(c->n, c->n)));
+    turn[0] = along;
+    turn[1] = surfmink__fine_triple(c->n, in, out);
+    surfmink__fine_shrink(turn, 2);
+}
+
+/* The turn at a corner as the kernels know it, to 1e-16 or so. Returns 0 where that is not enough: an edge is steep, or
+   next to nothing beside the other, or turns back. All of that is the same in any unit. */
+static int surfmink__plain_turn(const surfmink__corner *c, double *turning)
+{
+    double in[3], out[3], n[3], in_in, out_out, nn, sine, cosine, in_size, out_size, scale, larger;
+    size_t k;
+    surfmink__sub(c->x, c->before, 3, in);
+    surfmink__sub(c->next, c->x, 3, out);
+    in_size = surfmink__max_abs(in, 3);
+    out_size = surfmink__max_abs(out, 3);
+    scale = surfmink__binade(in_size > out_size ? in_size : out_size);
+    if (in_size * scale < 1e-60 || out_size * scale < 1e-60) return 0;
+    for (k = 0; k < 3; ++k) {
+        in[k] *= scale;
+        out[k] *= scale;
+        n[k] = c->n[k].high;
+    }
+    in_in = surfmink__dot(in, in);
+    out_out = surfmink__dot(out, out);
+    nn = surfmink__dot(n, n);
+    surfmink__turn(in, in_in, out, out_out, n, nn, SURFMINK_SQRT(nn), surfmink__dot(out, n), &sine, &cosine);
+    larger = surfmink__abs(sine) > surfmink__abs(cosine) ? surfmink__abs(sine) : surfmink__abs(cosine);
+    if (!(larger > 0.35 * nn * SURFMINK_SQRT(in_in * out_out))) return 0;
+    if (cosine < 0 && surfmink__abs(sine) < -1e-9 * cosine) return 0;
+    *turning = SURFMINK_ATAN2(sine, cosine);
+    return 1;
+}
+
+/* The angle at the centre of the great-circle edge from corner i to the next. Corners are refused as coincident if no
+   more than what rounding makes of their distances from the centre keeps them apart, as antipodal within 8 eps: there
+   the direction of the edge would be the rounding of the corners. */
+static int surfmink__arc(const surfmink__outline *o, size_t i, double *angle)
+{
+    double x[3], y[3], edge[3], m[3], x_norm, y_norm, sine, cosine, off = 1;
+    surfmink__sum n[3], seen[3];
+    int apart = surfmink__abs(surfmink__sphere_point(o, i, x) - surfmink__sphere_point(o, surfmink__next(o, i), y)) > 0;
+    x_norm = surfmink__norm(x, 3);
+    y_norm = surfmink__norm(y, 3);
+    surfmink__sub(y, x, 3, edge);
+    surfmink__cross(x, edge, m);
+    sine = surfmink__norm(m, 3) / x_norm / y_norm;
+    if (!(1.5 * sine * y_norm > surfmink__norm(edge, 3))) { /* steep: m may have lost digits */
+        surfmink__axis(o, i, n);
+        sine = 1 / surfmink__seen(n, x, y, seen);
+        sine *= surfmink__fine_norm(seen) / surfmink__fine_norm(n) / y_norm;
+    }
+    cosine = surfmink__dot(x, y) / x_norm / y_norm;
+    if (!apart) off = surfmink__abs(y_norm - x_norm) / (x_norm > y_norm ? x_norm : y_norm);
+    if (cosine < 0 && !(sine > 8 * surfmink__eps)) return SURFMINK_ANTIPODAL_CORNERS;
+    if (!(sine > 8 * surfmink__eps * off)) return SURFMINK_COINCIDENT_CORNERS;
+    *angle = SURFMINK_ATAN2(sine, cosine);
     return SURFMINK_OK;
 }
 
@@ -2033,36 +2125,37 @@ static int surfmink__check_corner(const surfmink__outline *o, size_t i)
     return o->length[i] >= 0 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
 }
 
-/* Does the edge from a to b run along a normal, so that it has no direction in the tangent plane? 1e-6 rad, in sine. */
-static int surfmink__upright(const double *a, const double *b, const double edge[3], const double normal[3])
+/* Does the edge from x to y run along the normal at corner i, so that it has no direction in the tangent plane? 1e-6 rad,
+   in sine. */
+static int surfmink__upright(const surfmink__outline *o, size_t i, const double *x, const double *y)
 {
-    double e[3], n[3], across[3];
-    if (!surfmink__steep(edge, normal)) return 0;
-    surfmink__shrink(edge, 3, e);
-    surfmink__shrink(normal, 3, n);
-    surfmink__across(n, a, b, across);
-    return !(surfmink__dot(across, across) > 1e-12 * surfmink__dot(e, e) * surfmink__dot(n, n));
+    double edge[3], e[3], axis[3], along, size;
+    surfmink__sum n[3], seen[3];
+    size_t k;
+    surfmink__sub(y, x, 3, edge);
+    surfmink__axis(o, i, n);
+    size = surfmink__shrink(edge, 3, e) > 0 ? surfmink__dot(e, e) : 0;
+    for (k = 0; k < 3; ++k) axis[k] = n[k].high;
+    along = surfmink__dot(e, axis);
+    if (2 * along * along < size * surfmink__dot(axis, axis)) return 0; /* not even steep */
+    size = surfmink__norm(edge, 3) * surfmink__seen(n, x, y, seen) * surfmink__fine_norm(n);
+    return !(surfmink__fine_norm(seen) > 1e-6 * size);
 }
 
 /* Is there something wrong with the edge from corner i to the next? */
 static int surfmink__check_edge(const surfmink__outline *o, size_t i)
 {
     size_t next = surfmink__next(o, i), dim = (size_t)o->dim;
-    double edge[3], x[3], y[3], x_norm, y_norm, angle;
+    double edge[3], angle;
     const double *a, *b;
     if (o->kind == SURFMINK__MEASURED) return SURFMINK_OK;
-    if (o->kind == SURFMINK__SPHERE) {
-        x_norm = surfmink__sphere_point(o, i, x);
-        y_norm = surfmink__sphere_point(o, next, y);
-        return surfmink__arc(x, x_norm, y, y_norm, edge, &angle);
-    }
+    if (o->kind == SURFMINK__SPHERE) return surfmink__arc(o, i, &angle);
     a = o->corner + dim * i;
     b = o->corner + dim * next;
     surfmink__sub(b, a, dim, edge);
     if (!(surfmink__max_abs(edge, dim) <= 1e308)) return SURFMINK_NOT_FINITE; /* or its length may not be */
     if (!(surfmink__max_abs(edge, dim) > 0)) return SURFMINK_COINCIDENT_CORNERS;
-    if (o->kind == SURFMINK__EMBEDDED &&
-        (surfmink__upright(a, b, edge, o->normal + 3 * i) || surfmink__upright(a, b, edge, o->normal + 3 * next)))
+    if (o->kind == SURFMINK__EMBEDDED && (surfmink__upright(o, i, a, b) || surfmink__upright(o, next, a, b)))
         return SURFMINK_UPRIGHT_EDGE;
     return SURFMINK_OK;
 }
@@ -2081,43 +2174,32 @@ static int surfmink__check(const surfmink__outline *o, size_t *bad)
     return SURFMINK_OK;
 }
 
-/* Length of edge i and turning angle at corner i of an outline that has passed surfmink__check. */
-static void surfmink__measure_corner(const surfmink__outline *o, size_t i, double *length, double *turning)
+/* Length of edge i and turning angle at corner i of an outline that has passed surfmink__check. With twice the digits,
+   if the turn itself is asked for; it is zero where there is none. */
+static void surfmink__measure_corner(const surfmink__outline *o, size_t i, double *length, double *turning,
+                                     surfmink__sum *turn)
 {
-    size_t previous = surfmink__previous(o, i), next = surfmink__next(o, i), k;
-    double in[3], out[3], x[3], y[3], x_norm, y_norm, angle;
-    switch (o->kind) {
-    case SURFMINK__PLANE:
-        surfmink__sub(o->corner + 2 * i, o->corner + 2 * previous, 2, in);
-        surfmink__sub(o->corner + 2 * next, o->corner + 2 * i, 2, out);
-        *length = surfmink__norm(out, 2);
-        *turning = surfmink__turn_plane(in, out);
-        break;
-    case SURFMINK__SPHERE:
-        x_norm = surfmink__sphere_point(o, i, x);
-        y_norm = surfmink__sphere_point(o, previous, y);
-        surfmink__arc(x, x_norm, y, y_norm, in, &angle);
-        for (k = 0; k < 3; ++k) in[k] = -in[k];
-        y_norm = surfmink__sphere_point(o, next, y);
-        surfmink__arc(x, x_norm, y, y_norm, out, &angle);
-        *length = o->radius * angle;
-        *turning = surfmink__turn_embedded(in, out, x);
-        break;
-    case SURFMINK__EMBEDDED:
-        surfmink__sub(o->corner + 3 * i, o->corner + 3 * previous, 3, in);
-        surfmink__sub(o->corner + 3 * next, o->corner + 3 * i, 3, out);
-        *length = surfmink__norm(out, 3);
-        if (surfmink__steep(in, o->normal + 3 * i) || surfmink__steep(out, o->normal + 3 * i))
-            *turning = surfmink__turn_steep(o->corner + 3 * previous, o->corner + 3 * i, o->corner + 3 * next,
-                                            o->normal + 3 * i);
-        else
-            *turning = surfmink__turn_embedded(in, out, o->normal + 3 * i);
-        break;
-    case SURFMINK__MEASURED:
+    double edge[3], angle = 0;
+    surfmink__sum fine[2];
+    surfmink__corner c;
+    size_t dim = (size_t)o->dim;
+    if (o->kind == SURFMINK__MEASURED) {
         *length = o->length[i];
         *turning = o->turning[i];
-        break;
+        if (turn) turn[0] = turn[1] = surfmink__fine(0, 0);
+        return;
     }
+    if (o->kind == SURFMINK__SPHERE) {
+        surfmink__arc(o, i, &angle);
+        *length = o->radius * angle;
+    } else {
+        surfmink__sub(o->corner + dim * surfmink__next(o, i), o->corner + dim * i, dim, edge);
+        *length = surfmink__norm(edge, dim);
+    }
+    c = surfmink__corner_of(o, i);
+    if (!turn && surfmink__plain_turn(&c, turning)) return;
+    surfmink__fine_turn(&c, turn ? turn : fine);
+    *turning = turn ? surfmink__angle(turn[1].high, turn[0].high) : surfmink__angle(fine[1].high, fine[0].high);
 }
 
 static surfmink__outline surfmink__outline_of(enum surfmink__kind kind, const double *corner, const double *normal,
@@ -2162,7 +2244,7 @@ static int surfmink__edges(const surfmink__outline *o, double *length, double *t
     size_t i;
     int status = surfmink__check(o, bad);
     if (status != SURFMINK_OK) return status;
-    for (i = 0; i < o->n; ++i) surfmink__measure_corner(o, i, length + i, turning + i);
+    for (i = 0; i < o->n; ++i) surfmink__measure_corner(o, i, length + i, turning + i, NULL);
     return SURFMINK_OK;
 }
 
@@ -2241,81 +2323,128 @@ static double surfmink__area_plane(const surfmink__outline *o)
     return surfmink__value(&twice) / 2;
 }
 
-/* Solid angle to the left of a polygon on the unit sphere, modulo 4 pi: a fan of triangles (a, b, c) from one corner
-   a. Each is 2 atan2(a.(b x c), 1 + a.b + b.c + c.a), written in differences of unit vectors b - a, c - b so that
-   small ones keep their digits. Returns 0 where a corner is farther from the apex than `reach` (a chord, squared): next
-   to the point opposite to the apex triangles lose their digits, and there they have no definite area. */
+/* Solid angle to the left of a polygon on the unit sphere, modulo 4 pi: a fan of triangles (a, x, y) from one corner a.
+   Each is 2 atan2(a.(x x y), |a||x||y| + |y| a.x + |a| x.y + |x| y.a), its numerator put together from the sides as
+   seen along a, so that small ones keep their digits. Returns 0 where a corner is farther from the apex than an angle
+   with this cosine: next to the point opposite to the apex triangles lose their digits, and there they have no definite
+   area. */
 static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, double *solid_angle)
 {
-    surfmink__sum sum = {0, 0};
-    double a[3], x[3], y[3], to_x[3], to_y[3], edge[3], cross[3], a_norm, x_norm, y_norm, xx, yy, ee, across;
-    size_t i, k, at = surfmink__next(o, apex);
-    a_norm = surfmink__sphere_point(o, apex, a);
-    x_norm = surfmink__sphere_point(o, at, x);
-    surfmink__chord(a, a_norm, x, x_norm, to_x);
-    for (i = 2; i < o->n; ++i) {
+    surfmink__sum sum = {0, 0}, n[3], to_x[3], to_y[3];
+    double a[3], x[3], y[3], axis[3], n_norm, x_norm, y_norm, nx, ny, x_scale = 1, y_scale, twice, across;
+    size_t i, k, at = apex;
+    surfmink__sphere_point(o, apex, a);
+    surfmink__axis(o, apex, n);
+    for (k = 0; k < 3; ++k) {
+        axis[k] = n[k].high;
+        to_x[k] = n[k]; /* the first triangle has no area */
+        x[k] = a[k];
+    }
+    n_norm = surfmink__norm(axis, 3);
+    for (i = 0; i < o->n; ++i) {
+        surfmink__sphere_point(o, i, y);
+        if (!(surfmink__dot(axis, y) > reach * n_norm * surfmink__norm(y, 3))) return 0;
+    }
+    x_norm = surfmink__norm(a, 3);
+    nx = n_norm * x_norm;
+    for (i = 1; i < o->n; ++i) {
         at = surfmink__next(o, at);
-        y_norm = surfmink__sphere_point(o, at, y);
-        surfmink__chord(a, a_norm, y, y_norm, to_y);
-        surfmink__chord(x, x_norm, y, y_norm, edge);
-        xx = surfmink__dot(to_x, to_x);
-        yy = surfmink__dot(to_y, to_y);
-        ee = surfmink__dot(edge, edge);
-        if (!(xx < reach) || !(yy < reach)) return 0;
-        if (ee >= xx && ee >= yy) /* three times the same vector; without the longest side it is the most accurate */
-            surfmink__cross(to_x, to_y, cross);
-        else if (yy >= xx)
-            surfmink__cross(to_x, edge, cross);
-        else
-            surfmink__cross(to_y, edge, cross);
-        across = 4 - (xx + yy + ee) / 2;
-        surfmink__add(&sum, 2 * SURFMINK_ATAN2(surfmink__dot(a, cross) / a_norm, across));
+        surfmink__sphere_point(o, at, y);
+        y_norm = surfmink__norm(y, 3);
+        y_scale = surfmink__seen(n, a, y, to_y);
+        ny = surfmink__dot(axis, y);
+        if (i > 1) {
+            twice = surfmink__fine_triple(n, to_x, to_y).high / (n_norm * n_norm) / x_scale / y_scale;
+            across = n_norm * x_norm * y_norm + y_norm * nx + n_norm * surfmink__dot(x, y) + x_norm * ny;
+            surfmink__add(&sum, 2 * SURFMINK_ATAN2(twice, across));
+        }
         for (k = 0; k < 3; ++k) {
             x[k] = y[k];
             to_x[k] = to_y[k];
         }
         x_norm = y_norm;
+        x_scale = y_scale;
+        nx = ny;
     }
     *solid_angle = surfmink__value(&sum);
     return 1;
 }
 
-/* A fan from one of 16 corners, evenly spaced, that sees all the others within reach; 0 if there is none. */
-static int surfmink__fan_within(const surfmink__outline *o, double reach, double *solid_angle)
+/* A sum of turns. Where they have twice the digits their product as complex numbers is kept too: its angle is the sum but
+   for multiples of 2 pi, and has all digits, while turns that are rounded one by one would be off by eps sum |alpha|,
+   which is a lot for a small sum. */
+typedef struct surfmink__path {
+    surfmink__sum turned, z[2];
+} surfmink__path;
+
+static surfmink__path surfmink__path_of(void)
 {
-    size_t apex;
-    for (apex = 0; apex < o->n; apex += o->n / 16 + 1)
-        if (surfmink__fan(o, apex, reach, solid_angle)) return 1;
-    return 0;
+    surfmink__path path = {{0, 0}, {{1, 0}, {0, 0}}};
+    return path;
 }
 
-/* What a fan says of the solid angle: nothing; its value, but for large ones 2 pi - S is better; the best there is;
-   more than the sum of the turns does. */
-enum surfmink__fan_quality { SURFMINK__NO_FAN, SURFMINK__FAIR_FAN, SURFMINK__GOOD_FAN, SURFMINK__FINE_FAN };
-
-static enum surfmink__fan_quality surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
+static void surfmink__turn_by(surfmink__path *path, double alpha, const surfmink__sum turn[2])
 {
-    if (surfmink__fan_within(o, 1, solid_angle)) return SURFMINK__FINE_FAN;       /* 60 degrees, edges below 120 */
-    if (surfmink__fan_within(o, 3, solid_angle)) return SURFMINK__GOOD_FAN;       /* a third of a great circle */
-    if (!surfmink__fan_within(o, 4 - 1e-4, solid_angle)) return SURFMINK__NO_FAN; /* 0.01 short of the half */
-    return surfmink__abs(*solid_angle) < 1 ? SURFMINK__GOOD_FAN : SURFMINK__FAIR_FAN;
+    surfmink__sum *z = path->z, re;
+    surfmink__add(&path->turned, alpha);
+    re = surfmink__fine_pair(z[0], turn[0], surfmink__minus(z[1]), turn[1]);
+    z[1] = surfmink__fine_pair(z[0], turn[1], z[1], turn[0]);
+    z[0] = re;
+    surfmink__fine_shrink(z, 2);
+}
+
+static double surfmink__turned(const surfmink__path *path)
+{
+    double roughly = surfmink__value(&path->turned), angle, windings;
+    surfmink__sum sum = {0, 0};
+    if (!(surfmink__abs(path->z[0].high) + surfmink__abs(path->z[1].high) > 0)) return roughly;
+    angle = SURFMINK_ATAN2(path->z[1].high, path->z[0].high);
+    windings = (roughly - angle) / surfmink__two_pi;
+    windings = (double)(ptrdiff_t)(windings + (windings < 0 ? -0.5 : 0.5));
+    surfmink__add_product(&sum, windings, surfmink__two_pi);
+    surfmink__add(&sum, windings * 2.4492935982947064e-16); /* what 2 pi has beyond a double */
+    surfmink__add(&sum, angle);
+    return surfmink__value(&sum);
 }
 
 /* Sums over all corners: L, S and, for the condition number and the noise, sum |alpha|. */
 static void surfmink__sums(const surfmink__outline *o, double *length, double *turning, double *turned)
 {
-    surfmink__sum l = {0, 0}, s = {0, 0}, t = {0, 0};
-    double edge, turn;
+    surfmink__sum l = {0, 0}, t = {0, 0}, turn[2];
+    surfmink__path path = surfmink__path_of();
+    double edge, alpha;
     size_t i;
     for (i = 0; i < o->n; ++i) {
-        surfmink__measure_corner(o, i, &edge, &turn);
+        surfmink__measure_corner(o, i, &edge, &alpha, turn);
+        surfmink__turn_by(&path, alpha, turn);
         surfmink__add(&l, edge);
-        surfmink__add(&s, turn);
-        surfmink__add(&t, surfmink__abs(turn));
+        surfmink__add(&t, surfmink__abs(alpha));
     }
     *length = surfmink__value(&l);
-    *turning = surfmink__value(&s);
+    *turning = surfmink__turned(&path);
     *turned = surfmink__value(&t);
+}
+
+/* A fan from one of 16 corners, evenly spaced: within 60 degrees if there is one, within 120, or 0.6 degrees short of the
+   opposite point. Returns 0 if there is none. */
+static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
+{
+    static const double reach[3] = {0.5, -0.5, -0.99995};
+    size_t apex, k;
+    for (k = 0; k < 3; ++k)
+        for (apex = 0; apex < o->n; apex += o->n / 16 + 1)
+            if (surfmink__fan(o, apex, reach[k], solid_angle)) return 1;
+    return 0;
+}
+
+/* S + solid angle = 2 pi k, whatever was drawn. */
+static int surfmink__windings(double turning, double solid_angle)
+{
+    double windings = (turning + solid_angle) / surfmink__two_pi;
+    int k = 0;
+    while (k < windings - 0.5) ++k; /* nearest integer, without a libm call */
+    while (k > windings + 0.5) --k;
+    return k;
 }
 
 /* Is S > 0, and more than rounding noise? Corners on a great circle turn by 1e-16 each: hence the second threshold. */
@@ -2338,39 +2467,32 @@ static int surfmink__judge_plane(const surfmink__outline *o, surfmink_functional
     return SURFMINK_OK;
 }
 
-/* On the sphere S + solid angle is a multiple of 2 pi whatever was drawn, an odd one if the outline can be drawn
-   without crossings; the fan knows the solid angle modulo 4 pi, and 2 pi - S which of them is meant. It should lie in
-   [0, 4 pi]: that finds loops that wind three times. The slack of 1 is for digitised outlines with a hairpin whose
-   two sides overlap. */
+/* On the sphere an outline that can be drawn without crossings has S + solid angle = 2 pi k with an odd k. A fan knows
+   the solid angle modulo 4 pi, and 2 pi - S which of them is meant. It should lie in [0, 4 pi]: that finds loops that
+   wind three times. The slack of 1 is for digitised outlines with a hairpin whose two sides overlap. Small angles have
+   more digits than 2 pi - S. */
 static int surfmink__judge_sphere(const surfmink__outline *o, double turned, surfmink_functionals *w)
 {
-    double solid_angle, windings;
-    enum surfmink__fan_quality fan = surfmink__solid_angle(o, &solid_angle);
-    int status, k = 0;
+    double solid_angle;
+    int status, k;
     w->curvature = surfmink__two_pi - w->turning;
-    if (fan != SURFMINK__NO_FAN) {
-        windings = (w->turning + solid_angle) / surfmink__two_pi;
-        while (k < windings - 0.5) ++k; /* nearest integer, without a libm call */
-        while (k > windings + 0.5) --k;
+    if (surfmink__solid_angle(o, &solid_angle)) {
+        k = surfmink__windings(w->turning, solid_angle);
         if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
-        solid_angle += (1 - k) * surfmink__two_pi;
-        if (solid_angle < -1 || solid_angle > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
-        if (fan >= SURFMINK__GOOD_FAN) w->curvature = solid_angle;
-        if (fan == SURFMINK__FINE_FAN) w->turning = surfmink__two_pi - solid_angle;
+        if (w->curvature < -1 || w->curvature > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
+        if (surfmink__abs(w->curvature) < 1) w->curvature = solid_angle + (1 - k) * surfmink__two_pi;
     }
     status = surfmink__check_turning(w->turning, turned, o->n);
     w->area = w->curvature * o->radius * o->radius;
     return status;
 }
 
-/* The Minkowski functionals of an outline that has passed surfmink__check, or what is wrong with it as a whole. S is
-   what the surface says it is; the plain sum of the turns is for the phases, which close with it. */
-static int surfmink__functionals(const surfmink__outline *o, surfmink_functionals *w, double *sum)
+/* The Minkowski functionals of an outline that has passed surfmink__check, or what is wrong with it as a whole. */
+static int surfmink__functionals(const surfmink__outline *o, surfmink_functionals *w)
 {
     double turned;
     int status;
     surfmink__sums(o, &w->length, &w->turning, &turned);
-    *sum = w->turning;
     if (!surfmink__finite(&w->length, 1)) return SURFMINK_NOT_FINITE;
     if (!(w->length > 0)) return SURFMINK_BAD_ARGUMENT;
     w->area = 0;
@@ -2390,9 +2512,8 @@ SURFMINK_DEF int surfmink_total(const double *length, const double *turning, siz
 {
     surfmink__outline o = surfmink__outline_measured(length, turning, n);
     surfmink_functionals total = {0, 0, 0, 0, 0};
-    double sum;
     int status = surfmink__check(&o, NULL);
-    if (status == SURFMINK_OK) status = surfmink__functionals(&o, &total, &sum);
+    if (status == SURFMINK_OK) status = surfmink__functionals(&o, &total);
     if (status == SURFMINK_OK) *w = total;
     return status;
 }
@@ -2413,13 +2534,15 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
 {
     surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
     double solid_angle, length, turning, turned;
-    int status;
+    int status, k = 1, fan;
     if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
     status = surfmink__check(&o, NULL);
     if (status != SURFMINK_OK) return status;
-    if (surfmink__solid_angle(&o, &solid_angle) < SURFMINK__GOOD_FAN) {
+    fan = surfmink__solid_angle(&o, &solid_angle);
+    if (!fan || surfmink__abs(solid_angle) > 1) { /* then S knows it better */
         surfmink__sums(&o, &length, &turning, &turned);
-        solid_angle = surfmink__two_pi - turning;
+        if (fan) k = surfmink__windings(turning, solid_angle);
+        solid_angle = k * surfmink__two_pi - turning;
     }
     while (solid_angle > surfmink__two_pi) solid_angle -= 2 * surfmink__two_pi;
     while (solid_angle <= -surfmink__two_pi) solid_angle += 2 * surfmink__two_pi;
@@ -2528,22 +2651,23 @@ typedef struct surfmink__curve {
     size_t first;
 } surfmink__curve;
 
-/* Fills rows with l z and z = exp(i f) of the edges from number `start` of the curve on; `turned` is carried from call
-   to call. */
-static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count, surfmink__sum *turned,
+/* Fills rows with l z and z = exp(i f) of the edges from number `start` of the curve on; `path` is carried from call to
+   call. */
+static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count, surfmink__path *path,
                            surfmink__rows *r)
 {
     const surfmink__outline *o = c->outline;
+    surfmink__sum turn[2];
     double length, turning, phase;
     size_t j, k, i;
     for (j = 0; j < count; ++j) {
         k = start + j; /* edges passed since the fiducial point */
         i = c->first + k < o->n ? c->first + k : c->first + k - o->n;
-        surfmink__measure_corner(o, i, &length, &turning);
-        if (k > 0) surfmink__add(turned, turning);
+        surfmink__measure_corner(o, i, &length, &turning, turn);
+        if (k > 0) surfmink__turn_by(path, turning, turn);
         if (k == 0) length *= 1 - c->fraction;
         if (k == o->n) length *= c->fraction;
-        phase = c->phase ? c->phase[i] : c->factor * surfmink__value(turned);
+        phase = c->phase ? c->phase[i] : c->factor * surfmink__turned(path);
         r->column[2][j] = SURFMINK_COS(phase);
         r->column[3][j] = SURFMINK_SIN(phase);
         r->length[j] = length * c->unit * r->column[2][j];
@@ -2577,7 +2701,8 @@ static double surfmink__ratio(double re, double im, double length)
 static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *mu, double *g, double *theta)
 {
     surfmink__rows rows;
-    surfmink__sum sum[6 * SURFMINK__TILES], turned;
+    surfmink__sum sum[6 * SURFMINK__TILES];
+    surfmink__path path;
     size_t count = c->outline->n + (c->fraction > 0 ? 1 : 0), start, size;
     double part[6], re, im;
     int first, p, k, ranks;
@@ -2589,11 +2714,11 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
     if (theta) theta[0] = 0;
     for (first = 1; first <= max_rank; first += ranks) {
         ranks = max_rank - first < 3 * SURFMINK__TILES ? max_rank - first + 1 : 3 * SURFMINK__TILES;
-        turned.high = turned.low = 0;
+        path = surfmink__path_of();
         for (k = 0; k < 6 * SURFMINK__TILES; ++k) sum[k].high = sum[k].low = 0;
         for (start = 0; start < count; start += size) {
             size = count - start < SURFMINK__ROWS ? count - start : SURFMINK__ROWS;
-            surfmink__fill(c, start, size, &turned, &rows);
+            surfmink__fill(c, start, size, &path, &rows);
             surfmink__raise(&rows, size, first - 1);
             for (p = 0; p < ranks; p += 3) {
                 surfmink__power_sums(&rows, size, p + 3 < ranks, part);
@@ -2860,15 +2985,21 @@ static surfmink__job surfmink__job_of(enum surfmink__kind kind, const double *co
     return job;
 }
 
-/* sum |alpha_i| in the plane, where the kernels need no angles. */
-static double surfmink__turns_plane(const surfmink__outline *o)
+/* sum |alpha_i| of an ordinary outline in the plane, where the kernels need no angles. */
+static double surfmink__turns_plane(const surfmink__outline *o, double scale)
 {
+    const double *x = o->corner + 2 * (o->n - 1), *y = o->corner;
     surfmink__sum turned = {0, 0};
-    double length, turning;
+    double a[2], b[2];
     size_t i;
-    for (i = 0; i < o->n; ++i) {
-        surfmink__measure_corner(o, i, &length, &turning);
-        surfmink__add(&turned, surfmink__abs(turning));
+    a[0] = (x[0] - x[-2]) * scale;
+    a[1] = (x[1] - x[-1]) * scale;
+    for (i = 0; i < o->n; ++i, x = y, y += 2) {
+        b[0] = (y[0] - x[0]) * scale;
+        b[1] = (y[1] - x[1]) * scale;
+        surfmink__add(&turned, surfmink__abs(surfmink__atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])));
+        a[0] = b[0];
+        a[1] = b[1];
     }
     return surfmink__value(&turned);
 }
@@ -2895,7 +3026,7 @@ static int surfmink__quickly(const surfmink__outline *o, int max_rank, double *m
     job.w = w;
     surfmink__window(&job, 0, 1, &left);
     if (left) return 0;
-    if (w && o->kind == SURFMINK__PLANE) w->condition = surfmink__turns_plane(o) / w->turning;
+    if (w && o->kind == SURFMINK__PLANE) w->condition = surfmink__turns_plane(o, job.scale) / w->turning;
     if (w && w->condition < 1) w->condition = 1; /* by rounding */
     return 1;
 }
@@ -2907,11 +3038,10 @@ static int surfmink__carefully(const surfmink__outline *o, int max_rank, double 
 {
     surfmink_functionals total;
     surfmink__curve c;
-    double sum;
     int status;
     if ((status = surfmink__check(o, bad)) != SURFMINK_OK) return status;
-    if ((status = surfmink__functionals(o, &total, &sum)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
-    c = surfmink__curve_of(o, total.length, surfmink__two_pi / sum);
+    if ((status = surfmink__functionals(o, &total)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
+    c = surfmink__curve_of(o, total.length, surfmink__two_pi / total.turning);
     if (mu || g || theta) surfmink__integrate(&c, max_rank, mu, g, theta);
     if (w) *w = total;
     return SURFMINK_OK;
@@ -3085,8 +3215,8 @@ SURFMINK_DEF size_t surfmink_batch_embedded(const double *corner, const double *
 SURFMINK_DEF int surfmink_sphere_log(const double x[3], const double y[3], double radius, double vector[3])
 {
     surfmink__outline o;
-    double a[3], b[3], direction[3], tangent[3], a_norm, b_norm, angle, part;
-    double pair[6];
+    surfmink__sum n[3], seen[3];
+    double pair[6], a[3], b[3], m[3], axis[3], direction[3], tangent[3], angle;
     size_t k;
     int status;
     for (k = 0; k < 3; ++k) {
@@ -3097,16 +3227,21 @@ SURFMINK_DEF int surfmink_sphere_log(const double x[3], const double y[3], doubl
     o = surfmink__outline_sphere(pair, 2, radius);
     if ((status = surfmink__check_corner(&o, 0)) != SURFMINK_OK) return status;
     if ((status = surfmink__check_corner(&o, 1)) != SURFMINK_OK) return status;
-    a_norm = surfmink__sphere_point(&o, 0, a);
-    b_norm = surfmink__sphere_point(&o, 1, b);
-    status = surfmink__arc(a, a_norm, b, b_norm, direction, &angle);
+    status = surfmink__arc(&o, 0, &angle);
     if (status == SURFMINK_COINCIDENT_CORNERS) {
         vector[0] = vector[1] = vector[2] = 0;
         return SURFMINK_OK;
     }
     if (status != SURFMINK_OK) return status;
-    part = surfmink__dot(direction, a) / (a_norm * a_norm);
-    for (k = 0; k < 3; ++k) direction[k] -= part * a[k];
+    surfmink__sphere_point(&o, 0, a);
+    surfmink__sphere_point(&o, 1, b);
+    surfmink__axis(&o, 0, n);
+    surfmink__seen(n, a, b, seen);
+    for (k = 0; k < 3; ++k) {
+        axis[k] = n[k].high;
+        m[k] = seen[k].high;
+    }
+    surfmink__cross(m, axis, direction);
     surfmink__unit(direction, 3, tangent);
     for (k = 0; k < 3; ++k) vector[k] = radius * angle * tangent[k];
     return SURFMINK_OK;

@@ -331,19 +331,17 @@ static void measure_one(const bundle *b, size_t i, single *s)
     default: s->status = surfmink_measure_embedded(corner, normal, n, b->max_rank, s->mu, s->g, &s->w, &s->bad);
     }
     if (s->status != SURFMINK_OK) return;
-    s->c = s->w.condition + fabs(s->w.curvature) / s->w.turning;
+    s->c = s->w.condition;
     CHECK_OK(surfmink_spectrum(s->g, b->max_rank, NULL, NULL, s->theta));
 }
 
 /* What two measurements of one outline may differ in, by what each of them may be wrong.
    L      relative: 1e-15 each
-   S      relative: 2.5e-15 each, times c; in the plane not at all
+   S      relative: 1e-15 each, times c, the condition number; in the plane not at all
    area   2e-15 each of half the sum of |x_i - x_0| l_i; on the sphere large ones are 2 pi - S, and as good as S
-   mu, g, theta  mu_p, g_p / L, mu_p p theta_p at rank 12: 1e-14 (1 + c)^2, half of what ACCURACY grants the two of
-   them;
-          4e-14 at c = 1, where a phase near 2 pi is known to two units in its last place by each. In the plane, where S
-          is known, 2e-14 (1 + c). At other ranks in proportion to p + 2, for not all is the phases' fault */
-static const double LIMIT[OUTPUTS] = {0, 0, 2e-15, 5e-15, 4e-15, 4e-14, 4e-14, 4e-14};
+   mu, g, theta  mu_p, g_p / L, mu_p p theta_p at rank 12: 1e-14 (1 + c) each; at other ranks in proportion to p + 2,
+          for not all is the phases' fault */
+static const double LIMIT[OUTPUTS] = {0, 0, 2e-15, 2e-15, 4e-15, 2e-14, 2e-14, 2e-14};
 static double worst[OUTPUTS]; /* differences found, in units of what is allowed */
 
 static void differ(int what, double off, double allowed)
@@ -358,12 +356,6 @@ static void report_worst(const char *title)
     printf("%s, %s: worst differences", instance_name(on_trial), title);
     for (k = LENGTH; k < OUTPUTS; ++k) printf("  %s %.2f", output_name[k], worst[k]);
     printf("  of what is allowed\n");
-}
-
-static double amplified(enum surface surface, double c)
-{
-    double by = (1 + c) / 2;
-    return surface == PLANE ? by : by * by;
 }
 
 /* Corner k of outline i, on the sphere brought to it, whatever its magnitude. */
@@ -421,7 +413,7 @@ static void compare_ranks(const bundle *b, const answers *a, size_t i, const sin
 {
     size_t ranks = (size_t)b->max_rank + 1;
     const double *g = a->out.g + 2 * ranks * i, *mu = a->out.mu + ranks * i, *theta = a->out.theta + ranks * i;
-    double allowed, unit = amplified(b->surface, s->c), l = s->w.length;
+    double allowed, unit = 1 + s->c, l = s->w.length;
     int p;
     CHECK(g[0] == a->out.length[i]);
     if (l > 1e-290) check_spectrum(g, mu, theta, b->max_rank); /* else components lose digits, or all */

@@ -12,9 +12,8 @@
    plane and turns as their differences, areas on the sphere through stereographic projection. Corners are doubles and
    taken as exact; polygons that surfmink refuses are counted, not judged.
 
-   With the condition number c = (sum |alpha| + |2 pi - S|) / S, S is judged relative to c; mu and the angles against
-   1 + c in the plane, where S is 2 pi. Elsewhere S is a sum of rounded angles and wrong by eps c, relative to itself,
-   and phases of up to 2 pi c are multiples of 1 / S: there it takes (1 + c)^2. Areas are judged against how much their
+   Turns are rounded, and 1 / S multiplies that: so S is judged relative to c, mu and the angles against 1 + c, with the
+   condition number c = max(1, sum |alpha| / S) that surfmink.h reports. Areas are judged against how much their
    triangles cancel. The exit status is 1 if one of the limits in `quantity` is exceeded. */
 #define SURFMINK_STATIC
 #define SURFMINK_DISPATCH /* all instances in one program */
@@ -45,9 +44,9 @@ static const struct {
     double limit;
 } quantity[QUANTITIES] = {
     {"L", "relative", 1e-15},
-    {"S", "against sum |alpha| + |2 pi - S|", 2e-15},
-    {"mu", "p <= 12, against 1 + c, its square off the plane", 1e-14},
-    {"angle", "mu_p |p theta_p - reference|, p <= 12, as mu", 1e-14},
+    {"S", "relative, against c", 1e-15},
+    {"mu", "p <= 12, against 1 + c", 1e-14},
+    {"angle", "mu_p |p theta_p - reference|, p <= 12, against 1 + c", 1e-14},
     {"area", "against half the sum of |x_i - x_0| l_i", 2e-15},
 };
 
@@ -630,12 +629,11 @@ static int measure(int way, const polygon *o, double *mu, double *theta, surfmin
 static void compare(const polygon *o, const measured *m, const double *mu, const double *theta,
                     const surfmink_functionals *w, verdict *v)
 {
-    double allowed;
     int p, q;
-    v->condition = (double)((m->turned + fabsq(2 * M_PIq - m->turning)) / m->turning);
+    v->condition = m->turned > m->turning ? (double)(m->turned / m->turning) : 1;
     v->error[LENGTH] = v->judged[LENGTH] = (double)fabsq(w->length / m->length - 1);
     v->error[TURNING] = (double)fabsq(w->turning - m->turning);
-    v->judged[TURNING] = v->error[TURNING] / (double)(m->turned + fabsq(2 * M_PIq - m->turning));
+    v->judged[TURNING] = v->error[TURNING] / (double)m->turning / v->condition;
     if (o->surface != EMBEDDED && !m->crosses && m->area_terms > 1e-280Q &&
         m->area_terms < 1e300Q) { /* else it has no double */
         v->error[AREA] = (double)fabsq(w->area / m->area - 1);
@@ -646,8 +644,7 @@ static void compare(const polygon *o, const measured *m, const double *mu, const
         v->error[ANGLE] =
             worse(v->error[ANGLE], (double)(m->mu[p] * fabsq(remainderq(p * (quad)theta[p] - m->angle[p], 2 * M_PIq))));
     }
-    allowed = o->surface == PLANE ? 1 + v->condition : (1 + v->condition) * (1 + v->condition);
-    for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / allowed;
+    for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / (1 + v->condition);
 }
 
 static void show_results(const measured *m, const double *mu, const double *theta, const surfmink_functionals *w)
