@@ -15,7 +15,7 @@ what only AVX2 and AVX-512 use is compiled for those. What is still alive is run
 number has changed: writing past an array is no wrong result, but a fault. A theorem is asked only if it runs the line
 that was changed, and those first that have killed in the same function. What became of a mutant is remembered in
 DIRECTORY by the text of its function and of the theorems, so that after an edit only what it touches is done again;
---again repeats survivors only, --quick leaves out the sanitizers and theorems of more than a second. Lines for other processors are not mutated:
+--again repeats survivors only, --quick leaves out the sanitizers and slow theorems. Lines for other processors are not mutated:
 tests/check.sh runs the tests on arm64. Needs tcc, gcc, addr2line and x86-64 with AVX-512; uses clang if there is one.
 """
 
@@ -292,9 +292,11 @@ class Judge:
         self.work, self.header, self.few, self.quick = work, header, few, quick
         self.tree, self.unmutated = os.path.join(work, 'tree'), os.path.join(work, 'unmutated')
         self.lock, self.programs, self.seconds, self.kills, self.covered = threading.Lock(), {}, {}, {}, None
+        self.prepared, self.preparing = set(), threading.Lock()
         self.needs = {} # what has to be proved before a theorem that does not stand alone
         self.snapshot()
         if not few: self.cover()
+        self.covering = set(t for runs in (self.covered or {}).values() for t in runs) # that run any of the header
 
     # Header, tests and what they include, as they are now: nothing that is edited during the run may kill.
     def snapshot(self):
@@ -359,31 +361,48 @@ class Judge:
                                   os.path.join(place, 'libsurfmink.so'), '-lm'], place)[0]
 
     def prepare(self, stage):
-        """Builds the tests of a stage and times their theorems on the header as it is."""
-        if not self.build(stage, self.unmutated): sys.exit('mutants.py: surfmink.h does not compile (%s)' % stage)
-        for test in self.tests:
-            if stage == 'avx' and test != BATCHES or 'vector' in stage and test != BATCHES: continue
+        """Builds the tests of a stage when it is needed first, and times their theorems on the header as it is."""
+        with self.preparing:
+            if stage in self.prepared: return
+            tests = [BATCHES] if stage == 'avx' or 'vector' in stage else self.tests
             compiler = ['tcc'] if self.few and stage == 'plain' else STAGES[stage][1]
-            if compiler:
+            if not self.build(stage, self.unmutated): sys.exit('mutants.py: surfmink.h does not compile (%s)' % stage)
+            for test in tests if compiler else []:
                 kind = digest(' '.join(compiler) + open(self.source(test)).read() + self.common + MUTANTS_H)
                 self.programs[stage, test] = os.path.join(self.work, '%s.%s' % (test, kind))
                 if not os.path.exists(self.programs[stage, test]):
                     command = compiler + FLAGS + ['-I' + self.tree, self.source(test), '-o', self.programs[stage, test],
                                                   '-L' + self.unmutated, '-lsurfmink', '-lm']
                     if run(command, self.work)[0]: sys.exit('mutants.py: %s does not compile' % test)
+            key = digest(self.header.text + self.common + str(self.hash) + str(compiler) + str(STAGES[stage]))
+            path = os.path.join(self.work, 'times.%s.json' % key)
+            if not os.path.exists(path): self.write(path, json.dumps(self.time_theorems(stage, tests)))
+            seconds, needs = json.load(open(path))
+            self.needs.update(needs)
+            for name in seconds: self.seconds[stage, name] = seconds[name]
+            self.prepared.add(stage)
+
+    def time_theorems(self, stage, tests):
+        """Seconds of each, and what has to be proved before those that do not stand alone."""
+        seconds, needs = {}, {}
+        for test in tests:
             status, said = self.ask(stage, test, None, self.unmutated)
             if status:
                 print('left out, for it fails without mutants: %s (%s)' % (test, stage), flush=True)
                 continue
             before = []
-            for theorem, seconds in re.findall(r'> (\w+)\n(?:[^<>].*\n)*?< ([\d.]+)', said):
+            for theorem, time_taken in re.findall(r'> (\w+)\n(?:[^<>].*\n)*?< ([\d.]+)', said):
                 name = '%s:%s' % (test, theorem)
-                if self.quick and float(seconds) > 1: continue
-                self.seconds[stage, name] = float(seconds)
-                if stage == 'plain' and self.ask(stage, test, [name], self.unmutated)[0]:
-                    self.needs[name] = before[:]
-                    if self.ask(stage, test, [name], self.unmutated)[0]: del self.seconds[stage, name]
+                self.seconds[stage, name] = seconds[name] = seconds.get(name, 0) + float(time_taken)
+                if stage == 'plain' and not self.stands_alone(test, name): needs[name] = before[:]
                 before.append(name)
+        return seconds, needs
+
+    def stands_alone(self, test, name):
+        """Does a theorem hold without those before it? (Some share what is expensive.) Remembered by its text."""
+        known = os.path.join(self.work, 'alone.%s.%s' % (name.replace(':', '.'), self.hash[name]))
+        if not os.path.exists(known): self.write(known, str(self.ask('plain', test, [name], self.unmutated)[0]))
+        return open(known).read() == '0'
 
     def ask(self, stage, test, theorems, place):
         """Runs theorems of a test, all if None, with the implementation in `place`."""
@@ -391,9 +410,9 @@ class Judge:
         more = {'LD_LIBRARY_PATH': place, 'ASAN_OPTIONS': 'detect_leaks=0'}
         if stage == 'avx': more['MUTANTS_ALL'] = '1'
         if theorems is None: return run([program], self.tree, 300, **more)
-        theorems = [t for needed in theorems for t in self.needs.get(needed, []) + [needed] if (stage, t) in self.seconds]
+        theorems = [t for needed in theorems for t in self.needs.get(needed, []) + [needed]]
         more['MUTANTS_ONLY'] = ' %s ' % ' '.join(t.split(':')[1] for t in theorems)
-        return run([program], self.tree, 0.3 + 4 * sum(self.seconds[stage, t] for t in theorems), **more)
+        return run([program], self.tree, 0.3 + 4 * sum(self.seconds.get((stage, t), 0) for t in theorems), **more)
 
     def cover(self):
         """Which theorems run which blocks, each named by the line it begins with; kept by what it depends on."""
@@ -429,8 +448,10 @@ class Judge:
     def candidates(self, m, stage, known):
         """Groups of theorems that run the block, each group of one test: those that have killed in the same function one
         by one, then the rest, quick ones first."""
-        theorems = [t for s, t in self.seconds if s == stage]
+        theorems = [t for s, t in list(self.seconds) if s == stage]
+        if self.covered: theorems = [t for t in theorems if t in self.covering]
         if stage == 'strict': theorems = [t for t in theorems if self.seconds['plain', t] < 0.3]
+        if self.quick: theorems = [t for t in theorems if self.seconds[stage, t] < 0.4]
         name, first, last = self.header.functions[m.line]
         if self.covered and stage in ('plain', 'strict') and first < last:
             line = m.line
@@ -442,7 +463,7 @@ class Judge:
         alone = [t for t in theorems[:4] if kills.get(t) or t == known]
         groups = {}
         for t in theorems:
-            if t not in alone: groups.setdefault((self.seconds[stage, t] > 0.2, t.split(':')[0]), []).append(t)
+            if t not in alone: groups.setdefault((t.split(':')[0], int(10 * self.seconds[stage, t])), []).append(t)
         return [[t] for t in alone] + sorted(groups.values(), key=lambda g: sum(map(cost, g)))
 
     def stages(self, m):
@@ -454,14 +475,15 @@ class Judge:
         if where != 'avx' and not number and not self.quick: stages.append('strict vector' if kernel else 'strict')
         return stages
 
-    def judge(self, index, m, remembered):
+    def judge(self, m, remembered):
         """{'fate': theorem that killed it, 'survived' or 'not compiled', ...}"""
         passed = set(remembered.get('passed', [])) if remembered.get('fate') == 'survived' else set()
-        place = os.path.join(self.work, 'mutant%d' % index)
+        place = os.path.join(self.work, 'mutant.%s' % self.header.key(m))
         name = self.header.functions[m.line][0]
         try:
             self.place(place, self.header.text_of(m))
             for stage in self.stages(m):
+                self.prepare(stage)
                 built = False
                 for group in self.candidates(m, stage, remembered.get('fate')):
                     marks = ['%s %s %s' % (stage, t, self.hash[t]) for t in group]
@@ -512,14 +534,13 @@ def main():
         mutants, whole = [m for m in mutants if fates.get(header.key(m), {}).get('fate') == 'survived'], False
     if options.sample and options.sample < len(mutants):
         mutants, whole = random.Random(options.seed).sample(mutants, options.sample), False
-        mutants.sort(key=lambda m: m.at)
     if options.list:
         for m in mutants: print('%d: %s' % (m.line + 1, header.describe(m)))
         print('%d mutants' % len(mutants))
         return 0
+    # In random order, so that the figures of the first thousand are those of all, but for chance.
+    mutants = random.Random(options.seed).sample(mutants, len(mutants))
     judge = Judge(work, header, len(mutants) < 100 and not options.again, options.quick)
-    for stage in STAGES:
-        if any(stage in judge.stages(m) for m in mutants): judge.prepare(stage)
     for m in header.mutants:
         fate = fates.get(header.key(m), {}).get('fate')
         if fate not in (None, 'survived', 'not compiled'):
@@ -528,13 +549,13 @@ def main():
     reasons, used, wrong = read_equivalent(), set(), []
     table, count = {}, {'killed': 0, 'survived': 0, 'equivalent': 0, 'not compiled': 0}
 
-    def one(index, m):
+    def one(m):
         remembered = fates.get(header.key(m), {})
-        return remembered if judge.holds(remembered) else judge.judge(index, m, remembered)
+        return remembered if judge.holds(remembered) else judge.judge(m, remembered)
 
     started = time.time()
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for done, (m, fate) in enumerate(zip(mutants, pool.map(one, range(len(mutants)), mutants))):
+        for done, (m, fate) in enumerate(zip(mutants, pool.map(one, mutants))):
             fates[header.key(m)] = fate
             said = header.describe(m)
             what = fate['fate'] if fate['fate'] in ('survived', 'not compiled') else 'killed'
@@ -553,7 +574,7 @@ def main():
                 with open(memory, 'w') as out: json.dump(fates, out)
     with open(memory, 'w') as out: json.dump(fates, out)
     print('   killed  survived  equivalent  not compiled')
-    for name, row in table.items(): print('%9d %9d %11d %13d  %s' % (*row.values(), name))
+    for name, row in sorted(table.items()): print('%9d %9d %11d %13d  %s' % (*row.values(), name))
     if whole: wrong += ['%s (no such mutant)' % said for said in reasons if said not in used]
     for said in wrong: print('tests/mutants.equivalent: is none: %s' % said)
     print('%(killed)d killed, %(survived)d survived, %(equivalent)d equivalent, %(not compiled)d not compiled' % count)
