@@ -78,7 +78,7 @@ def conditionals(lines):
         if directive:
             word, condition = directive.groups()
             kind = ''
-            if re.search(r'SURFMINK__(INSTANCE|NATIVE) == SURFMINK__(AVX2|AVX512)', condition): kind = 'avx'
+            if re.search(r'SURFMINK__(INSTANCE|NATIVE) == SURFMINK__(AVX2|AVX512)|DISPATCHES', condition): kind = 'avx'
             elif re.search('NEON|_OPENMP|_WIN32|SURFMINK__GNU_C|__AVX|cplusplus', condition): kind = None
             elif re.search(r'INSTANCE != SURFMINK__PLAIN|INSTANCE == SURFMINK__SSE2|GANG == 2', condition):
                 kind = 'vector'
