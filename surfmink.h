@@ -1674,7 +1674,7 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
     }
     g.strips = 0;
     for (i = 0; i < fitting; i += SURFMINK__LANES) {
-        g.used = fitting - i < SURFMINK__LANES ? fitting - i : SURFMINK__LANES;
+        g.used = fitting - i > SURFMINK__LANES ? SURFMINK__LANES : fitting - i;
         for (lane = 0; lane < SURFMINK__LANES; ++lane) {
             n = order[i + (lane < g.used ? lane : 0)];
             g.outline[lane] = first + n;
@@ -2110,19 +2110,18 @@ static int surfmink__arc(const surfmink__outline *o, size_t i, double *angle)
 /* Is there something wrong with a corner, whatever its neighbours? */
 static int surfmink__check_corner(const surfmink__outline *o, size_t i)
 {
-    switch (o->kind) {
-    case SURFMINK__PLANE: return surfmink__finite(o->corner + 2 * i, 2) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
-    case SURFMINK__SPHERE:
-        if (!surfmink__finite(o->corner + 3 * i, 3)) return SURFMINK_NOT_FINITE;
-        return surfmink__max_abs(o->corner + 3 * i, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
-    case SURFMINK__EMBEDDED:
-        if (!surfmink__finite(o->corner + 3 * i, 3) || !surfmink__finite(o->normal + 3 * i, 3))
-            return SURFMINK_NOT_FINITE;
-        return surfmink__max_abs(o->normal + 3 * i, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
-    case SURFMINK__MEASURED: break;
+    size_t dim = (size_t)o->dim;
+    const double *corner, *normal;
+    if (o->kind == SURFMINK__MEASURED) {
+        if (!surfmink__finite(o->length + i, 1) || !surfmink__finite(o->turning + i, 1)) return SURFMINK_NOT_FINITE;
+        return o->length[i] >= 0 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
     }
-    if (!surfmink__finite(o->length + i, 1) || !surfmink__finite(o->turning + i, 1)) return SURFMINK_NOT_FINITE;
-    return o->length[i] >= 0 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
+    corner = o->corner + dim * i;
+    if (!surfmink__finite(corner, dim)) return SURFMINK_NOT_FINITE;
+    if (o->kind == SURFMINK__PLANE) return SURFMINK_OK;
+    normal = o->kind == SURFMINK__SPHERE ? corner : o->normal + 3 * i;
+    if (!surfmink__finite(normal, 3)) return SURFMINK_NOT_FINITE;
+    return surfmink__max_abs(normal, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
 }
 
 /* Does the edge from x to y run along the normal at corner i, so that it has no direction in the tangent plane? 1e-6 rad,
@@ -2134,10 +2133,10 @@ static int surfmink__upright(const surfmink__outline *o, size_t i, const double 
     size_t k;
     surfmink__sub(y, x, 3, edge);
     surfmink__axis(o, i, n);
-    size = surfmink__shrink(edge, 3, e) > 0 ? surfmink__dot(e, e) : 0;
+    surfmink__shrink(edge, 3, e);
     for (k = 0; k < 3; ++k) axis[k] = n[k].high;
     along = surfmink__dot(e, axis);
-    if (2 * along * along < size * surfmink__dot(axis, axis)) return 0; /* not even steep */
+    if (2 * along * along < surfmink__dot(e, e) * surfmink__dot(axis, axis)) return 0; /* not even steep */
     size = surfmink__norm(edge, 3) * surfmink__seen(n, x, y, seen) * surfmink__fine_norm(n);
     return !(surfmink__fine_norm(seen) > 1e-6 * size);
 }
@@ -2186,7 +2185,7 @@ static void surfmink__measure_corner(const surfmink__outline *o, size_t i, doubl
     if (o->kind == SURFMINK__MEASURED) {
         *length = o->length[i];
         *turning = o->turning[i];
-        if (turn) turn[0] = turn[1] = surfmink__fine(0, 0);
+        turn[0] = turn[1] = surfmink__fine(0, 0);
         return;
     }
     if (o->kind == SURFMINK__SPHERE) {
@@ -3181,12 +3180,12 @@ static surfmink__measure_window *surfmink__instance(int avx512, int avx2)
 
 static surfmink__measure_window *surfmink__choose(void)
 {
+    int avx512 = 0, avx2 = 0;
 #ifdef SURFMINK__DISPATCHES
-    return surfmink__instance((__builtin_cpu_supports("avx512f") != 0) & (__builtin_cpu_supports("avx512dq") != 0),
-                              (__builtin_cpu_supports("avx2") != 0) & (__builtin_cpu_supports("fma") != 0));
-#else
-    return surfmink__instance(0, 0);
+    avx512 = (__builtin_cpu_supports("avx512f") != 0) & (__builtin_cpu_supports("avx512dq") != 0);
+    avx2 = (__builtin_cpu_supports("avx2") != 0) & (__builtin_cpu_supports("fma") != 0);
 #endif
+    return surfmink__instance(avx512, avx2);
 }
 
 SURFMINK_DEF size_t surfmink_batch_plane(const double *corner, const size_t *offset, size_t count, int max_rank,

@@ -435,15 +435,20 @@ enum {
     NO_DIRECTION,
     DIRECTION_NAN,
     DIRECTION_INFINITE,
+    NOTHING_BUT_A_LENGTH,
     LIES
 };
 
 static int sabotaged_log(void *context, const double *x, const double *y, double *length, double direction[2])
 {
     saboteur *s = (saboteur *)context;
-    int status = spinning_log(NULL, x, y, length, direction);
+    double kept[2];
+    int status;
+    memcpy(kept, direction, sizeof kept);
+    status = spinning_log(NULL, x, y, length, direction);
     if (s->calls++ != s->fails_at) return status;
     switch (s->lies) {
+    case NOTHING_BUT_A_LENGTH: memcpy(direction, kept, sizeof kept); break;
     case NEGATIVE_LENGTH: *length = -1; break;
     case LENGTH_NAN: *length = nan_(); break;
     case LENGTH_INFINITE: *length = infinity_(); break;
