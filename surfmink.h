@@ -1376,7 +1376,8 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         fine = fine & SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(1e-3), SURFMINK__LOAD(t->sum[SURFMINK__TURNS] + lane),
                                                    SURFMINK__SET(0.3)),
                                      known);
-        fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->widest + lane), SURFMINK__SET(2.0) * known);
+        if (job->kind != SURFMINK__PLANE) /* there whole turns are counted, which rounding does not reach */
+            fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->widest + lane), SURFMINK__SET(2.0) * known);
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
         area = SURFMINK__LOAD(t->sum[SURFMINK__AREA] + lane);
         if (job->kind == SURFMINK__SPHERE) fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), area);

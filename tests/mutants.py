@@ -354,7 +354,7 @@ class Judge:
         text = '#define SURFMINK__PLAIN 0\n#define SURFMINK__SSE2 1\n#define SURFMINK__AVX2 2\n' \
                '#define SURFMINK__AVX512 3\n#define SURFMINK__NEON 4\n#define SURFMINK__NATIVE 0\n'
         for what in wanted: text += re.search(what, self.header.text, re.S).group() + '\n'
-        for what in r'surfmink__job surfmink__job_of\(.*?\)', r'size_t surfmink__batch\(.*?\)':
+        for what in r'surfmink__job surfmink__job_of\(.*?\)', r'size_t surfmink__batch\(.*?\)', r'surfmink__measure_window \*surfmink__choose\(void\)':
             text += re.search(r'static (%s)\n\{' % what, self.header.text, re.S).group(1) + ';\n'
         return text + 'surfmink__measure_window surfmink__window;\n'
 

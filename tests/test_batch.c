@@ -1535,6 +1535,48 @@ THEOREM(the_sphere_is_an_embedded_surface_up_to_lengths)
     }
 }
 
+/* --- what the kernels measure themselves -------------------------------------------------------------------------- */
+
+/* The corner-by-corner path would make up for kernels that decline: slower, but right. */
+static void check_kernels_take(const bundle *b, size_t first)
+{
+    surfmink__measure_window *window = instance_of[on_trial].window ? instance_of[on_trial].window : surfmink__choose();
+    enum surfmink__kind kind = b->surface == PLANE    ? SURFMINK__PLANE
+                               : b->surface == SPHERE ? SURFMINK__SPHERE
+                                                      : SURFMINK__EMBEDDED;
+    unsigned char left[64];
+    size_t at, i;
+    answers a;
+    answers_open(&a, b->count, b->max_rank, EVERYTHING);
+    for (at = first; at < b->count; at += 64) {
+        size_t count = b->count - at < 64 ? b->count - at : 64;
+        surfmink__job job =
+            surfmink__job_of(kind, b->corner, b->normal, b->radius, b->offset, b->max_rank, &a.out, NULL);
+        job.end = b->offset[b->count];
+        window(&job, at, count, left);
+        for (i = 0; i < count; ++i) {
+            CASE("%s, outline %d of %d corners", surface_name[b->surface], (int)(at + i), (int)corners_of(b, at + i));
+            CHECK(!left[i]);
+        }
+    }
+    answers_close(&a);
+}
+
+THEOREM(the_kernels_measure_flowers_and_small_regular_polygons_themselves)
+{
+    int surface;
+    for (surface = 0; surface < SURFACES; ++surface) {
+        bundle b;
+        every_length(&b, (enum surface)surface);
+        check_kernels_take(&b, 9); /* from 12 corners on */
+        bundle_close(&b);
+        regular_bundle(&b, (enum surface)surface);
+        b.count = 2 * 38; /* the largest ones are not ordinary on a sphere */
+        check_kernels_take(&b, 0);
+        bundle_close(&b);
+    }
+}
+
 /* --- in any strip of a long outline ------------------------------------------------------------------------------- */
 
 enum { STAR = 150 }; /* corners; a strip has 19 of them where there are eight lanes */
@@ -1676,6 +1718,7 @@ static void prove_all(void)
     PROVE(regular_polygons_have_mu_one_exactly_at_multiples_of_their_corner_count);
     PROVE(a_plane_in_space_is_the_plane);
     PROVE(the_sphere_is_an_embedded_surface_up_to_lengths);
+    PROVE(the_kernels_measure_flowers_and_small_regular_polygons_themselves);
     PROVE(a_normal_counts_by_its_direction_however_long_it_is_and_wherever_it_stands);
     PROVE(a_whisker_turns_by_plus_pi_wherever_it_stands);
 }
