@@ -4,7 +4,7 @@
 #   make demo       measures countries, the H3 grid and a tissue; pictures in .build/demo/
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make test       all tests; needs cc and make, nothing else
-#   make check      compilers, dialects, warnings, sanitizers; needs what .ci/run installs
+#   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
 #   make bench      ns a corner, beside other ways to the same numbers; gcc, clang; 25 minutes, BENCH=--quick: 7
 #   make bench-count  instructions a corner of the same ways; needs gcc, valgrind and x86-64
@@ -33,8 +33,8 @@ POLYGONS = 1000000
 SECONDS = 60
 MUTANTS =
 BENCH =
-FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow \
-       -fno-sanitize-recover=all
+FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by-zero,float-cast-overflow,integer \
+       -fsanitize-ignorelist=tests/fuzz/wraps -fno-sanitize-recover=all
 
 all: $(addprefix $(BUILD)/,$(commands))
 
@@ -61,6 +61,8 @@ test: all $(theorems)
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
+	  "sh tests/test_abuse.sh $(BUILD)" \
+	  "sh tests/test_fuzzed.sh" \
 	  "sh tests/test_readme.sh $(BUILD) '$(CC)'"
 
 accuracy:
@@ -104,7 +106,7 @@ mutants:
 	@mkdir -p $(BUILD)/mutants
 	python3 tests/mutants.py --jobs 2 $(MUTANTS) $(BUILD)/mutants
 
-check:
+check: all
 	@sh tests/run.sh $(BUILD)/check.total "sh tests/check.sh $(BUILD)/check"
 
 install: $(BUILD)/surfmink $(BUILD)/levelset

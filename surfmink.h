@@ -79,12 +79,22 @@
      more care.
 
    DETERMINISM
-     The same binary gives the same bits, whatever the thread or the locale, and in a batch whatever the other outlines
-     and the number of threads. Different compilers may round differently where they fuse a*b+c (-ffp-contract=off
-     forbids it) or where libm differs. Batches differ from single calls, and sets of vector instructions from each
-     other, by less than 1e-14 (1 + c)^2 in mu_p and g_p / L, p <= 12 (tests/test_batch.c): with SURFMINK_DISPATCH
-     results depend that much on the processor. AVX2 and AVX-512 agree to the bit. -ffast-math keeps finite results good
-     to 1e-12 but lets NaN and infinity pass unrefused, and removes the compensation of long sums.
+     The same program on the same machine gives the same bits, whatever the thread or the locale, and in a batch
+     whatever the other outlines and the number of threads. All functions give the same bits in other builds too (make
+     check compares gcc, clang and tcc; C and C++; -O0 to -O3; x86-64, 32-bit x86, arm64 and big-endian s390x; glibc and
+     musl), where
+       a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64; gcc 12
+         at -O3 does so in vectors, whatever it is told, where there is FMA, unless -fno-tree-slp-vectorize forbids those
+       doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
+       sin, cos and atan2 are the same. glibc has others for processors without FMA and for 32-bit x86, and musl its
+         own, so that one program may differ between machines. With functions of yours as SURFMINK_SIN, SURFMINK_COS and
+         SURFMINK_ATAN2 it does not
+       batches use the same instructions: SSE2, or none; AVX2, AVX-512 and NEON agree to the bit.
+     Otherwise bits differ and statuses stay. Batches differ from single calls, and sets of vector instructions from
+     each other, by less than 1e-14 (1 + c)^2 in mu_p and g_p / L, p <= 12 (tests/test_batch.c): with SURFMINK_DISPATCH
+     results depend that much on the processor. Fused a*b+c, x87, another libm and -ffast-math stay within that too; but
+     -ffast-math lets NaN and infinity pass unrefused and removes the compensation of long sums: 1e-12 at most. Where
+     the program rounds up, down or towards zero, the bound is 2e-14; of batches in vector instructions, 1e-6.
 
    HISTORY
      0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
@@ -653,7 +663,7 @@ typedef struct surfmink__job {
 
 #if SURFMINK__INSTANCE == SURFMINK__PLAIN
 #define SURFMINK__(name) surfmink__##name
-#define SURFMINK__LANES  1
+#define SURFMINK__LANES  ((size_t)1)
 #define SURFMINK__ALIGNED
 #define SURFMINK__WIDTH           1
 #define SURFMINK__GANG            1
@@ -671,7 +681,7 @@ typedef struct surfmink__job {
 #define SURFMINK__SIGNED(a, s)    ((s) < 0 ? -(a) : (a))
 #define SURFMINK__ROOT(a)         SURFMINK_SQRT(a)
 #else
-#define SURFMINK__LANES           8
+#define SURFMINK__LANES           ((size_t)8)
 #define SURFMINK__GANG            2
 #define SURFMINK__ALIGNED         __attribute__((aligned(64)))
 #define surfmink__real            SURFMINK__(real)
@@ -1046,7 +1056,7 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
                                               SURFMINK__(totals) *t)
 {
     surfmink__real p[2], u[2], x[2], y[2], a[2], b[2], d[2], length, inverse, cross, along, re, im;
-    surfmink__real sum, lost, good, area, turns, zero = SURFMINK__SET(0.0), one = SURFMINK__SET(1.0);
+    surfmink__real sum, lost, good, area, turns, least, zero = SURFMINK__SET(0.0), one = SURFMINK__SET(1.0);
     surfmink__mask fine, passes, a_below, b_below;
     size_t lane, i;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
@@ -1072,12 +1082,14 @@ SURFMINK__KERNEL void SURFMINK__(edges_plane)(SURFMINK__(rows) *r, size_t rows, 
             length = SURFMINK__ROOT(SURFMINK__FMA(b[1], b[1], b[0] * b[0]));
             cross = SURFMINK__FNMA(a[1], b[0], a[0] * b[1]);
             along = SURFMINK__FMA(a[1], b[1], a[0] * b[0]);
-            /* no spike, no edge of length 0, and nothing out of range */
-            fine = SURFMINK__LESS(SURFMINK__FNMA(SURFMINK__SET(4e-15), along, SURFMINK__SET(1e-250)),
-                                  SURFMINK__ABS(cross));
-            fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-140), length);
             b_below = SURFMINK__LESS(b[1], zero);
-            passes = (a_below ^ b_below) & (b_below ^ SURFMINK__LESS(zero, cross));
+            passes = a_below ^ b_below;
+            /* no spike, no edge of length 0, nothing out of range, no pass to a side that cannot be told */
+            least = SURFMINK__FNMA(SURFMINK__SET(4e-15), along, SURFMINK__SET(1e-250));
+            least = SURFMINK__SELECT(passes, SURFMINK__MAX(least, SURFMINK__SET(1e-250)), least);
+            fine = SURFMINK__LESS(least, SURFMINK__ABS(cross));
+            fine = fine & SURFMINK__LESS(SURFMINK__SET(1e-140), length);
+            passes = passes & (b_below ^ SURFMINK__LESS(zero, cross));
             d[0] = x[0] - p[0];
             d[1] = x[1] - p[1];
             re = SURFMINK__FMA(b[1], u[1], b[0] * u[0]);
@@ -1344,7 +1356,7 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
         SURFMINK__(edges_sphere)(r, rows, first, stride, t);
     else {
         SURFMINK__(gather)(job->normal, 3, 1, run, rows, 0, r->column[3]);
-#if SURFMINK__LANES == 1
+#if SURFMINK__INSTANCE == SURFMINK__PLAIN
         for (lane = 0; lane < rows; ++lane) surfmink__shrink_normal(r->column[3] + 1 + lane);
 #endif
         SURFMINK__(edges_embedded)(r, rows, t);
@@ -1374,7 +1386,7 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
         fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->sharpest + lane), SURFMINK__SET(3.14159265358978)); /* spikes */
         fine = fine & SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(1e-3), SURFMINK__LOAD(t->sum[SURFMINK__TURNS] + lane),
-                                                   SURFMINK__SET(0.3)),
+                                                   SURFMINK__SET(0.5)),
                                      known);
         if (job->kind != SURFMINK__PLANE) /* there whole turns are counted, which rounding does not reach */
             fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->widest + lane), SURFMINK__SET(2.0) * known);
@@ -1385,7 +1397,7 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
             fine & SURFMINK__LESS(SURFMINK__SET(1e-300), length * SURFMINK__SET(job->unit)); /* as it will be written */
         fine = fine & SURFMINK__LESS(length * SURFMINK__SET(job->unit), SURFMINK__SET(1.7e308));
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(area) * SURFMINK__SET(job->unit) * SURFMINK__SET(job->unit),
-                                     SURFMINK__SET(1.7e308));
+                                     SURFMINK__SET(8e307)); /* others double it */
         /* whatever becomes of the rest, nothing is divided by zero */
         SURFMINK__STORE(t->sum[SURFMINK__LENGTH] + lane, SURFMINK__SELECT(fine, length, SURFMINK__SET(1.0)));
         SURFMINK__STORE(t->sum[SURFMINK__TURNING] + lane, SURFMINK__SELECT(fine, turning, SURFMINK__SET(1.0)));
@@ -1998,14 +2010,23 @@ static void surfmink__axis(const surfmink__outline *o, size_t i, surfmink__sum a
 }
 
 /* n x (y - x): the edge from x to y as seen along the normal n and turned by 90 degrees, times a power of two, which
-   comes back. What rounding takes from y - x is kept, for where the edge is almost along n that is all there is. */
+   comes back. What rounding takes from y - x is kept, and what is along n is taken off first, for where the edge is
+   almost that, what is left needs all its digits. */
 static double surfmink__seen(const surfmink__sum n[3], const double x[3], const double y[3], surfmink__sum seen[3])
 {
     surfmink__sum edge[3];
-    double scale;
+    double scale, along = 0, nn = 0;
     size_t k;
     for (k = 0; k < 3; ++k) edge[k] = surfmink__fine(y[k], -x[k]);
     scale = surfmink__fine_shrink(edge, 3);
+    for (k = 0; k < 3; ++k) {
+        along += edge[k].high * n[k].high;
+        nn += n[k].high * n[k].high;
+    }
+    for (k = 0; k < 3; ++k) {
+        surfmink__add_product(edge + k, -along / nn, n[k].high);
+        edge[k] = surfmink__fine(edge[k].high, edge[k].low);
+    }
     surfmink__fine_cross(n, edge, seen);
     return scale;
 }
@@ -2275,7 +2296,7 @@ static int surfmink__log(const surfmink_surface *surface, const double *x, const
 {
     int status;
     *length = direction[0] = direction[1] = 0;
-    status = surface->log(surface->context, x, y, length, direction);
+    status = (surface->log)(surface->context, x, y, length, direction); /* in brackets: tgmath.h has macros */
     if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
     if (!surfmink__finite(length, 1) || !surfmink__finite(direction, 2) || *length < 0) return SURFMINK_CALLBACK_FAILED;
     if (!(*length > 0)) return SURFMINK_COINCIDENT_CORNERS;
@@ -2325,13 +2346,13 @@ static double surfmink__area_plane(const surfmink__outline *o)
 
 /* Solid angle to the left of a polygon on the unit sphere, modulo 4 pi: a fan of triangles (a, x, y) from one corner a.
    Each is 2 atan2(a.(x x y), |a||x||y| + |y| a.x + |a| x.y + |x| y.a), its numerator put together from the sides as
-   seen along a, so that small ones keep their digits. Returns 0 where a corner is farther from the apex than an angle
-   with this cosine: next to the point opposite to the apex triangles lose their digits, and there they have no definite
-   area. */
-static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, double *solid_angle)
+   seen along a, so that small ones keep their digits; the denominator does not where corners are almost opposite, and
+   the error, in eps, tells. Returns 0 where a corner is farther from the apex than an angle with the cosine `reach`:
+   next to the point opposite to it triangles have no definite area. */
+static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, double *solid_angle, double *error)
 {
     surfmink__sum sum = {0, 0}, n[3], to_x[3], to_y[3];
-    double a[3], x[3], y[3], axis[3], n_norm, x_norm, y_norm, nx, ny, x_scale = 1, y_scale, twice, across;
+    double a[3], x[3], y[3], axis[3], n_norm, x_norm, y_norm, nx, ny, x_scale = 1, y_scale, twice, across, norms, size;
     size_t i, k, at = apex;
     surfmink__sphere_point(o, apex, a);
     surfmink__axis(o, apex, n);
@@ -2345,6 +2366,7 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
         surfmink__sphere_point(o, i, y);
         if (!(surfmink__dot(axis, y) > reach * n_norm * surfmink__norm(y, 3))) return 0;
     }
+    *error = 0;
     x_norm = surfmink__norm(a, 3);
     nx = n_norm * x_norm;
     for (i = 1; i < o->n; ++i) {
@@ -2355,7 +2377,10 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
         ny = surfmink__dot(axis, y);
         if (i > 1) {
             twice = surfmink__fine_triple(n, to_x, to_y).high / (n_norm * n_norm) / x_scale / y_scale;
-            across = n_norm * x_norm * y_norm + y_norm * nx + n_norm * surfmink__dot(x, y) + x_norm * ny;
+            norms = n_norm * x_norm * y_norm;
+            across = norms + y_norm * nx + n_norm * surfmink__dot(x, y) + x_norm * ny;
+            size = twice * twice + across * across;
+            *error += size > 0 ? 4 * norms * surfmink__abs(twice) / size : 1;
             surfmink__add(&sum, 2 * SURFMINK_ATAN2(twice, across));
         }
         for (k = 0; k < 3; ++k) {
@@ -2427,13 +2452,13 @@ static void surfmink__sums(const surfmink__outline *o, double *length, double *t
 
 /* A fan from one of 16 corners, evenly spaced: within 60 degrees if there is one, within 120, or 0.6 degrees short of the
    opposite point. Returns 0 if there is none. */
-static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle)
+static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle, double *error)
 {
     static const double reach[3] = {0.5, -0.5, -0.99995};
     size_t apex, k;
     for (k = 0; k < 3; ++k)
         for (apex = 0; apex < o->n; apex += o->n / 16 + 1)
-            if (surfmink__fan(o, apex, reach[k], solid_angle)) return 1;
+            if (surfmink__fan(o, apex, reach[k], solid_angle, error)) return 1;
     return 0;
 }
 
@@ -2473,14 +2498,14 @@ static int surfmink__judge_plane(const surfmink__outline *o, surfmink_functional
    more digits than 2 pi - S. */
 static int surfmink__judge_sphere(const surfmink__outline *o, double turned, surfmink_functionals *w)
 {
-    double solid_angle;
+    double solid_angle, error;
     int status, k;
     w->curvature = surfmink__two_pi - w->turning;
-    if (surfmink__solid_angle(o, &solid_angle)) {
+    if (surfmink__solid_angle(o, &solid_angle, &error)) {
         k = surfmink__windings(w->turning, solid_angle);
         if (k % 2 == 0) return SURFMINK_CROSSES_ITSELF;
         if (w->curvature < -1 || w->curvature > 2 * surfmink__two_pi + 1) return SURFMINK_CROSSES_ITSELF;
-        if (surfmink__abs(w->curvature) < 1) w->curvature = solid_angle + (1 - k) * surfmink__two_pi;
+        if (error < 1) w->curvature = solid_angle + (1 - k) * surfmink__two_pi;
     }
     status = surfmink__check_turning(w->turning, turned, o->n);
     w->area = w->curvature * o->radius * o->radius;
@@ -2533,13 +2558,13 @@ SURFMINK_DEF int surfmink_area_plane(const double *corner, size_t n, double *are
 SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double radius, double *area)
 {
     surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
-    double solid_angle, length, turning, turned;
+    double solid_angle, error = 0, length, turning, turned;
     int status, k = 1, fan;
     if (!surfmink__positive(radius)) return SURFMINK_BAD_ARGUMENT;
     status = surfmink__check(&o, NULL);
     if (status != SURFMINK_OK) return status;
-    fan = surfmink__solid_angle(&o, &solid_angle);
-    if (!fan || surfmink__abs(solid_angle) > 1) { /* then S knows it better */
+    fan = surfmink__solid_angle(&o, &solid_angle, &error);
+    if (!fan || error >= 1) { /* then S knows it better */
         surfmink__sums(&o, &length, &turning, &turned);
         if (fan) k = surfmink__windings(turning, solid_angle);
         solid_angle = k * surfmink__two_pi - turning;
@@ -2645,11 +2670,25 @@ SURFMINK_DEF int surfmink_transport_vector(const double *corner, const double *n
    its length; its front part comes last, one full turn later. */
 typedef struct surfmink__curve {
     const surfmink__outline *outline;
-    const double *phase; /* f_i, or NULL: factor times the sum of the turns */
-    double factor, fraction;
+    const double *phase; /* f_i, or NULL: the sum of the turns, with a period to be stretched to 2 pi, if not 0 */
+    double period, fraction;
     double length, unit; /* L, and a power of two that makes lengths ordinary, so that no sum overflows or goes under */
     size_t first;
 } surfmink__curve;
+
+/* 2 pi turned / period, but for multiples of 2 pi: without them a large one has more digits. */
+static double surfmink__phase(double turned, double period)
+{
+    surfmink__sum rest = {0, 0};
+    double periods, scale;
+    if (!(period > 0)) return turned;
+    periods = turned / period;
+    periods = (double)(ptrdiff_t)(periods + (periods < 0 ? -0.5 : 0.5));
+    scale = surfmink__scale(period);
+    surfmink__add(&rest, turned * scale);
+    surfmink__add_product(&rest, -periods, period * scale);
+    return surfmink__two_pi * (surfmink__value(&rest) / (period * scale));
+}
 
 /* Fills rows with l z and z = exp(i f) of the edges from number `start` of the curve on; `path` is carried from call to
    call. */
@@ -2667,7 +2706,7 @@ static void surfmink__fill(const surfmink__curve *c, size_t start, size_t count,
         if (k > 0) surfmink__turn_by(path, turning, turn);
         if (k == 0) length *= 1 - c->fraction;
         if (k == o->n) length *= c->fraction;
-        phase = c->phase ? c->phase[i] : c->factor * surfmink__turned(path);
+        phase = c->phase ? c->phase[i] : surfmink__phase(surfmink__turned(path), c->period);
         r->column[2][j] = SURFMINK_COS(phase);
         r->column[3][j] = SURFMINK_SIN(phase);
         r->length[j] = length * c->unit * r->column[2][j];
@@ -2722,15 +2761,15 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
             surfmink__raise(&rows, size, first - 1);
             for (p = 0; p < ranks; p += 3) {
                 surfmink__power_sums(&rows, size, p + 3 < ranks, part);
-                for (k = 0; k < 6; ++k) surfmink__add(sum + 2 * p + k, part[k]);
+                for (k = 0; k < 6; ++k) surfmink__add(sum + 2 * (size_t)p + k, part[k]);
             }
         }
         for (p = 0; p < ranks; ++p) {
-            re = surfmink__value(sum + 2 * p);
-            im = surfmink__value(sum + 2 * p + 1);
+            re = surfmink__value(sum + 2 * (size_t)p);
+            im = surfmink__value(sum + 2 * (size_t)p + 1);
             if (g) {
-                g[2 * (first + p)] = re / c->unit;
-                g[2 * (first + p) + 1] = im / c->unit;
+                g[2 * (size_t)(first + p)] = re / c->unit;
+                g[2 * (size_t)(first + p) + 1] = im / c->unit;
             }
             if (mu) mu[first + p] = surfmink__ratio(re, im, c->length * c->unit);
             if (theta) theta[first + p] = surfmink__argument(re, im) / (first + p);
@@ -2738,14 +2777,14 @@ static void surfmink__integrate(const surfmink__curve *c, int max_rank, double *
     }
 }
 
-static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double length, double factor)
+static surfmink__curve surfmink__curve_of(const surfmink__outline *o, double length, double period)
 {
     surfmink__curve c;
     c.outline = o;
     c.length = length;
     c.unit = length > 0 ? surfmink__scale(length) : 1;
     c.phase = NULL;
-    c.factor = factor;
+    c.period = period;
     c.fraction = 0;
     c.first = 0;
     return c;
@@ -2768,7 +2807,7 @@ SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase,
     double total;
     int status = surfmink__check_measured(&o, max_rank, &total);
     if (status != SURFMINK_OK) return status;
-    c = surfmink__curve_of(&o, total, 1);
+    c = surfmink__curve_of(&o, total, 0);
     c.phase = phase;
     surfmink__integrate(&c, max_rank, NULL, g, NULL);
     return SURFMINK_OK;
@@ -2783,7 +2822,7 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
     int status = surfmink__check_measured(&o, max_rank, &total);
     if (status != SURFMINK_OK) return status;
     if (edge >= n || !(fraction >= 0 && fraction < 1)) return SURFMINK_BAD_ARGUMENT;
-    c = surfmink__curve_of(&o, total, 1);
+    c = surfmink__curve_of(&o, total, 0);
     c.first = edge;
     c.fraction = fraction;
     surfmink__integrate(&c, max_rank, NULL, g, NULL);
@@ -2814,6 +2853,7 @@ static double surfmink__half_to(int p)
 SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor)
 {
     double last, krawtchouk, next, sum;
+    const double *at;
     int j, k;
     if (p < 0 || p > 1000) return SURFMINK_BAD_ARGUMENT;
     for (j = 0; j <= p; ++j) {
@@ -2821,7 +2861,8 @@ SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor)
         krawtchouk = surfmink__half_to(p);
         sum = 0;
         for (k = 0; 2 * k < p; ++k) {
-            sum += 2 * krawtchouk * surfmink__along_tau(g[2 * (p - 2 * k)], g[2 * (p - 2 * k) + 1], j);
+            at = g + 2 * (size_t)(p - 2 * k);
+            sum += 2 * krawtchouk * surfmink__along_tau(at[0], at[1], j);
             next = ((p - 2 * j) * krawtchouk - (p - k + 1) * last) / (k + 1);
             last = krawtchouk;
             krawtchouk = next;
@@ -2838,7 +2879,8 @@ SURFMINK_DEF int surfmink_trace_free(const double *g, int p, double *tensor)
     int j;
     if (p < 0 || p > 1000) return SURFMINK_BAD_ARGUMENT;
     half = surfmink__half_to(p - 1);
-    for (j = 0; j <= p; ++j) tensor[j] = half * surfmink__along_tau(g[2 * p], g[2 * p + 1], j);
+    g += 2 * (size_t)p;
+    for (j = 0; j <= p; ++j) tensor[j] = half * surfmink__along_tau(g[0], g[1], j);
     return SURFMINK_OK;
 }
 
@@ -2869,18 +2911,20 @@ SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vec
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
 {
     double largest;
+    const double *at;
     int p;
     if (max_rank < 0) return SURFMINK_BAD_ARGUMENT;
     if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
     if (!(g[0] > 0)) return SURFMINK_BAD_ARGUMENT;
     for (p = 0; p <= max_rank; ++p) {
-        largest = surfmink__max_abs(g + 2 * p, 2);
+        largest = surfmink__max_abs(g + 2 * (size_t)p, 2);
         if (!(largest <= 1e308 && largest / g[0] <= 1e308)) return SURFMINK_NOT_FINITE; /* or |g_p| may not be */
     }
     for (p = 0; p <= max_rank; ++p) {
-        if (lambda) lambda[p] = surfmink__modulus(g[2 * p], g[2 * p + 1]);
-        if (mu) mu[p] = surfmink__ratio(g[2 * p], g[2 * p + 1], g[0]);
-        if (theta) theta[p] = p > 0 ? surfmink__argument(g[2 * p], g[2 * p + 1]) / p : 0;
+        at = g + 2 * (size_t)p;
+        if (lambda) lambda[p] = surfmink__modulus(at[0], at[1]);
+        if (mu) mu[p] = surfmink__ratio(at[0], at[1], g[0]);
+        if (theta) theta[p] = p > 0 ? surfmink__argument(at[0], at[1]) / p : 0;
     }
     return SURFMINK_OK;
 }
@@ -2888,14 +2932,15 @@ SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda
 static double surfmink__theta(const double *g, int p, int sign, int n)
 {
     double half_turns = sign >= 0 ? 2.0 * n : 2.0 * n + 1;
-    return (surfmink__argument(g[2 * p], g[2 * p + 1]) + half_turns * surfmink__pi) / p;
+    g += 2 * (size_t)p;
+    return (surfmink__argument(g[0], g[1]) + half_turns * surfmink__pi) / p;
 }
 
 SURFMINK_DEF int surfmink_angles(const double *g, int p, int sign, double *theta)
 {
     int n;
     if (p < 1) return SURFMINK_BAD_ARGUMENT;
-    if (!surfmink__finite(g + 2 * p, 2)) return SURFMINK_NOT_FINITE;
+    if (!surfmink__finite(g + 2 * (size_t)p, 2)) return SURFMINK_NOT_FINITE;
     for (n = 0; n < p; ++n) theta[n] = surfmink__theta(g, p, sign, n);
     return SURFMINK_OK;
 }
@@ -2953,7 +2998,8 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
     double theta, cosine, sine;
     int n, k;
     if (p < 1 || dim < 2 || dim > 3) return SURFMINK_BAD_ARGUMENT;
-    if (!surfmink__finite(g + 2 * p, 2) || !surfmink__finite(&phase, 1) || !surfmink__finite(frame, 2 * (size_t)dim))
+    if (!surfmink__finite(g + 2 * (size_t)p, 2) || !surfmink__finite(&phase, 1) ||
+        !surfmink__finite(frame, 2 * (size_t)dim))
         return SURFMINK_NOT_FINITE;
     for (n = 0; n < p; ++n) {
         theta = surfmink__theta(g, p, sign, n) - phase;
@@ -3041,7 +3087,7 @@ static int surfmink__carefully(const surfmink__outline *o, int max_rank, double 
     int status;
     if ((status = surfmink__check(o, bad)) != SURFMINK_OK) return status;
     if ((status = surfmink__functionals(o, &total)) != SURFMINK_OK) return surfmink__blame(status, o->n, bad);
-    c = surfmink__curve_of(o, total.length, surfmink__two_pi / total.turning);
+    c = surfmink__curve_of(o, total.length, total.turning);
     if (mu || g || theta) surfmink__integrate(&c, max_rank, mu, g, theta);
     if (w) *w = total;
     return SURFMINK_OK;
@@ -3099,10 +3145,10 @@ static int surfmink__known_job(const surfmink__job *job)
 static int surfmink__left_over(const surfmink__job *job, size_t i)
 {
     const surfmink_results *out = job->out;
-    const size_t at = job->offset[i], end = job->offset[i + 1], rank = i * ((size_t)job->max_rank + 1);
+    const size_t at = job->offset[i], end = job->offset[i + 1];
     surfmink__outline o;
     surfmink_functionals w;
-    size_t bad = end >= at ? end - at : 0;
+    size_t bad = end >= at ? end - at : 0, rank;
     int status = SURFMINK_BAD_ARGUMENT;
     if (end >= at && surfmink__known_job(job)) {
         if (job->kind == SURFMINK__PLANE)
@@ -3111,6 +3157,7 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
             o = surfmink__outline_sphere(job->corner + 3 * at, end - at, job->radius);
         else
             o = surfmink__outline_of(SURFMINK__EMBEDDED, job->corner + 3 * at, job->normal + 3 * at, end - at);
+        rank = i * ((size_t)job->max_rank + 1);
         status = surfmink__measure(&o, job->max_rank, out->mu ? out->mu + rank : NULL,
                                    out->g ? out->g + 2 * rank : NULL, out->theta ? out->theta + rank : NULL, &w, &bad);
     }
@@ -3156,8 +3203,8 @@ static size_t surfmink__batch(surfmink__job *job, size_t count, surfmink__measur
     return refused;
 }
 
-/* The instance of the kernels for a processor that has AVX-512, or AVX2 with FMA; without SURFMINK_DISPATCH the one that
-   the compiler has been told. */
+/* The instance of the kernels for a processor that has AVX-512, or AVX2 with FMA; without SURFMINK_DISPATCH the one
+   that the compiler has been told. */
 static surfmink__measure_window *surfmink__instance(int avx512, int avx2)
 {
 #ifdef SURFMINK__DISPATCHES
@@ -3273,11 +3320,11 @@ SURFMINK_DEF int surfmink_sphere_exp(const double x[3], const double vector[3], 
 static void surfmink__sphere_frame(const double *x, double e1[3], double e2[3])
 {
     double n[3], axis[3] = {0, 0, 0}, c[3];
-    size_t k, far = 0;
+    size_t k, least = 0;
     surfmink__unit(x, 3, n);
     for (k = 1; k < 3; ++k)
-        if (surfmink__abs(n[k]) < surfmink__abs(n[far])) far = k;
-    axis[far] = 1;
+        if (surfmink__abs(n[k]) < surfmink__abs(n[least])) least = k;
+    axis[least] = 1;
     surfmink__cross(axis, n, c);
     surfmink__unit(c, 3, e1);
     surfmink__cross(n, e1, e2);
@@ -3407,7 +3454,7 @@ SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, siz
 static int surfmink__exp(const surfmink_surface *surface, const double *x, const double direction[2], double length,
                          double *y)
 {
-    int status = surface->exp(surface->context, x, direction, length, y);
+    int status = (surface->exp)(surface->context, x, direction, length, y);
     if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
     return surfmink__finite(y, surface->stride) ? SURFMINK_OK : SURFMINK_CALLBACK_FAILED;
 }

@@ -64,6 +64,14 @@ static int complain(const char *what, const char *about)
     return 1;
 }
 
+/* Whether all of standard output has gone out; if not, says so. */
+static int is_written(void)
+{
+    if (!fflush(stdout) && !ferror(stdout) && !fclose(stdout)) return 1; /* some disks complain only when it closes */
+    fprintf(stderr, "levelset: standard output cannot be written: %s\n", strerror(errno));
+    return 0;
+}
+
 /* A text that is one finite number and nothing else. */
 static int number(const char *text, double *x)
 {
@@ -86,7 +94,7 @@ static int parse_function(const char *text, function *f)
     memcpy(f->parameter, usual, sizeof usual);
     f->axis = text[0];
     if (strchr("xyz", text[0]) && text[0] && !text[1]) return 1;
-    if (strncmp(text, "flower", 6) || (text[6] && text[6] != ':')) return 0;
+    if (strncmp(text, "flower", 6) != 0 || (text[6] && text[6] != ':')) return 0;
     if (!text[6]) return 1;
     for (k = 0, text += 6; k < 5 && *text; ++k) {
         char *end;
@@ -182,8 +190,8 @@ static int parse(int count, char **argument, options *o)
                 o->flip = 1;
             else
                 o->area = 1;
-        } else if (strcmp(name, "--at") && strcmp(name, "--inside") && strcmp(name, "--function") &&
-                   strcmp(name, "--subdivide") && strcmp(name, "--digits")) {
+        } else if (strcmp(name, "--at") != 0 && strcmp(name, "--inside") != 0 && strcmp(name, "--function") != 0 &&
+                   strcmp(name, "--subdivide") != 0 && strcmp(name, "--digits") != 0) {
             return complain("unknown option", name);
         } else if (!value && i + 1 == count) {
             return complain("a value is missing behind", name);
@@ -192,8 +200,8 @@ static int parse(int count, char **argument, options *o)
             if (!strcmp(name, "--at")) {
                 if (!number(value, &o->level[o->levels++])) return complain("--at wants a finite number, got", value);
             } else if (!strcmp(name, "--inside")) {
-                o->inside = strcmp(value, "above") ? MESH_BELOW : MESH_ABOVE;
-                if (o->inside == MESH_BELOW && strcmp(value, "below"))
+                o->inside = strcmp(value, "above") != 0 ? MESH_BELOW : MESH_ABOVE;
+                if (o->inside == MESH_BELOW && strcmp(value, "below") != 0)
                     return complain("--inside wants below or above, got", value);
             } else if (!strcmp(name, "--function")) {
                 o->function_text = value;
@@ -296,10 +304,7 @@ static int run(const options *o)
             fprintf(stderr, "%s: vertices where sheets touch that share no edge: %lu (normals there are a mean)\n",
                     mesh_name, (unsigned long)m.pinched);
         open = print(o, &m, loops);
-        if (fflush(stdout) || ferror(stdout)) {
-            fprintf(stderr, "levelset: standard output cannot be written: %s\n", strerror(errno));
-            status = MESH_UNREADABLE;
-        }
+        if (!is_written()) status = MESH_UNREADABLE;
     }
     for (l = 0; loops && l < o->levels; ++l) mesh_free_loops(&loops[l]);
     free(loops);
@@ -315,7 +320,7 @@ int main(int count, char **argument)
     for (i = 1; i < count; ++i)
         if (!strcmp(argument[i], "--help")) {
             fputs(help, stdout);
-            return fflush(stdout) ? 1 : 0;
+            return !is_written();
         }
     memset(&o, 0, sizeof o);
     o.digits = 17;

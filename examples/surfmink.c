@@ -13,8 +13,8 @@
      5 at the end, if asked for: a summary, a picture                     command/summary.h picture.h horizon.h svg.h
    A batch is measured when it is full, when the file ends, when the input pauses, and before any complaint. */
 
-/* Only for isatty, read and poll: to tell a terminal from a file, and to take what a pipe holds. Elsewhere the command
-   does without a progress line, and rows may come late. */
+/* Only for isatty, read, poll and stat: to tell a terminal from a file, to take what a pipe holds, to know a file by
+   whatever name. Elsewhere the command does without a progress line, and rows may come late. */
 #ifndef HAS_POSIX
 #if defined(__unix__) || defined(__APPLE__)
 #define HAS_POSIX 1
@@ -28,7 +28,6 @@
 #if HAS_POSIX
 #include <unistd.h>
 #endif
-#include <signal.h>
 #include <time.h>
 
 #define SURFMINK_IMPLEMENTATION
@@ -189,11 +188,13 @@ static void begin_run(run *r, int argc, char **argv)
 static void finish_run(run *r)
 {
     held_back.write = NULL;
+    held_back.context = NULL;
     wipe_progress();
     fflush(stdout);
     check_standard_output();
     if (r->options.summary) write_summary(&r->summary, r->options.max_rank);
     if (r->options.svg) write_picture(&r->picture, &r->options);
+    close_standard_output();
 }
 
 static void free_run(run *r)
@@ -211,9 +212,6 @@ int main(int argc, char **argv)
     run r;
     size_t i;
     int refused;
-#ifdef SIGPIPE
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe shall be a write error like any other, and not the silent end */
-#endif
     begin_run(&r, argc, argv);
     for (i = 0; i < r.options.files; ++i) process_file(&r, r.options.file[i]);
     finish_run(&r);

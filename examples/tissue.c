@@ -18,6 +18,7 @@
    fuses a*b+c into one rounding, the difference hides below the nine printed decimals.
    The output is CC0: do with it what you like. */
 
+#include <errno.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -111,7 +112,7 @@ static void scatter(uint64_t state)
 /* The (at most reach) seeds nearest to seed i, nearest first; returns how many. */
 static int nearest(int i, int reach, int *near)
 {
-    double d2[MAX_REACH];
+    double d2[MAX_REACH] = {0};
     int j, k, count = 0;
     for (j = 0; j < cells; ++j) {
         double d = distance2(seed[i], seed[j]);
@@ -294,6 +295,14 @@ static const char help[] = "tissue > tissue.tsv\n"
                            "  --relax K      how often cells even out, 0 (wild) to 1000 (honeycomb) (3)\n"
                            "  --help         this text\n";
 
+/* The exit status, once all of standard output has gone out. */
+static int finish(void)
+{
+    if (!fflush(stdout) && !ferror(stdout) && !fclose(stdout)) return EXIT_SUCCESS;
+    fprintf(stderr, "tissue: cannot write to standard output: %s\n", strerror(errno));
+    return EXIT_FAILURE;
+}
+
 /* Says what is wrong with the command line, and leaves. */
 static void refuse(const char *option, const char *problem)
 {
@@ -333,7 +342,10 @@ int main(int argc, char **argv)
         const char *option = argv[a], *value = argv[a + 1]; /* NULL after the last */
         int is_cells = !strcmp(option, "--cells"), is_seed = !strcmp(option, "--seed");
         int is_axes = !strcmp(option, "--axes"), is_relax = !strcmp(option, "--relax");
-        if (!strcmp(option, "--help")) return fputs(help, stdout) < 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+        if (!strcmp(option, "--help")) {
+            fputs(help, stdout);
+            return finish();
+        }
         if (!(is_cells || is_seed || is_axes || is_relax)) refuse(option, "no such option");
         if (!value) refuse(option, "a value is missing");
         if (is_cells) cells = (int)read_whole(option, value, 12, MAX_CELLS);
@@ -359,9 +371,5 @@ int main(int argc, char **argv)
            axis[1], axis[2], rounds);
     printf("# counter-clockwise about the outer normal; neighbouring cells share their corners to the last digit\n");
     print_cells();
-    if (fflush(stdout) || ferror(stdout)) {
-        fprintf(stderr, "tissue: cannot write the table\n");
-        return EXIT_FAILURE;
-    }
-    return EXIT_SUCCESS;
+    return finish();
 }

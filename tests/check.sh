@@ -1,30 +1,42 @@
 #!/bin/sh
-# check.sh DIRECTORY: what a header is judged by and only other tools can tell: warnings in every dialect, the symbols
-# it exports, ways to include it, other compilers and flags, sanitizers, layout. Works in DIRECTORY. Needs gcc, g++,
-# clang, tcc, valgrind, clang-format 14, pkg-config, xmllint; a tool that is missing is a check that fails.
+# check.sh DIRECTORY [WORD]: what a header is judged by and only other tools can tell: warnings in every dialect, the
+# symbols it exports, ways to include it, other compilers, flags and machines, static analysis, sanitizers, layout. Works
+# in DIRECTORY; runs only checks whose name has the WORD in it, if there is one. docs/trust.md says why each is here.
+# JOBS checks run at a time; SLOW=10 names those that took as many seconds of the processor. Needs what .ci/run installs;
+# a tool that is missing is a check that fails.
+. "$(dirname "$0")/pool.sh"
 work=$1
-mkdir -p "$work"
-passed=0 failed=0
+word=$2
+list=$work/list
+rm -rf "$work"
+mkdir -p "$list"
+here='$here' # in commands: a folder of the check's own
+
+# check NAME COMMAND: passes if the command succeeds and says nothing. It is run later: other checks run beside it.
+number=1000
+check() {
+    case $1 in *"$word"*) ;; *) return ;; esac
+    number=$((number + 1))
+    printf '# %s\n%s\n' "$1" "$2" > "$list/$number.sh"
+}
 
 # quietly COMMAND: the text of a command that says something only if it fails.
 quietly() {
-    echo "{ $1 > $work/said 2>&1 || { tail -n 20 $work/said; false; }; }"
+    echo "{ $1 > $here/quiet 2>&1 || { tail -n 20 $here/quiet; false; }; }"
 }
 
-# check NAME COMMAND: passes if the command succeeds and says nothing.
-check() {
-    if said=$(sh -c "$2" 2>&1) && [ -z "$said" ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n  %s\n%s\n' "$1" "$2" "$said" | head -n 30
-    fi
+# short FLAGS: without the warnings that are asked for.
+short() {
+    echo "$1" | sed 's/ -W[^ ]*//g'
 }
 
 wall="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Wundef -Wcast-qual
       -Wcast-align -Wwrite-strings -Wvla -Wfloat-conversion"
 wall=$(echo $wall)
 wall_c="$wall -Wstrict-prototypes -Wmissing-prototypes"
+gcc32="gcc -m32 -static -isystem /usr/include/x86_64-linux-gnu" # gcc-12-multilib: with gcc-multilib no other machine goes
+arm64="aarch64-linux-gnu-gcc -static"
+s390x="s390x-linux-gnu-gcc -static"
 
 # --- the header: silent in every dialect ------------------------------------------------------------------------------
 printf '#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n#include "surfmink.h"\n' > "$work/whole.c"
@@ -32,27 +44,36 @@ printf '#define SURFMINK_STATIC\n#include "surfmink.h"\n' > "$work/static.c"
 printf '#include "surfmink.h"\n' > "$work/public.c"
 printf '#define SURFMINK_DISPATCH\n#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n' > "$work/dispatch.c"
 printf '#define SURFMINK_NO_SIMD\n#define SURFMINK_IMPLEMENTATION\n#include "surfmink.h"\n' > "$work/plain.c"
-for unit in whole static public dispatch plain; do
-    case $unit in
-    dispatch | plain) dialects=c99 dialects_cpp=c++17 ;; # the same text as the others, compiled once more or less
-    *) dialects="c89 c99 c11 c17 c2x" dialects_cpp="c++98 c++11 c++14 c++17 c++20 c++2b" ;;
-    esac
-    for std in $dialects; do
-        check "gcc -std=$std, $unit" "gcc -std=$std $wall_c -Wc++-compat -O2 -I. -c $work/$unit.c -o $work/unit.o"
-        check "clang -std=$std, $unit" "clang -std=$std -Weverything -O2 -I. -c $work/$unit.c -o $work/unit.o"
-    done
-    for std in $dialects_cpp; do
-        check "g++ -std=$std, $unit" "g++ -x c++ -std=$std $wall -O2 -I. -c $work/$unit.c -o $work/unit.o"
-        check "clang++ -std=$std, $unit" "clang++ -x c++ -std=$std $wall -O2 -I. -c $work/$unit.c -o $work/unit.o"
-    done
-    check "tcc, $unit" "tcc -Wall -I. -c $work/$unit.c -o $work/unit.o"
+
+# units FILES COMPILER FLAGS...: each of these files.
+units() {
+    units=$1
+    shift
+    check "$(short "$*"), silent" "for unit in $units; do $* -I. -c $work/\$unit.c -o $here/unit.o; done"
+}
+every="whole static public dispatch plain"
+for std in c89 c99 c11 c17 c2x; do
+    case $std in c99) units=$every ;; *) units="whole static public" ;; esac
+    units "$units" gcc -std=$std $wall_c -Wc++-compat
+    units "$units" clang -std=$std -Weverything
 done
-for flags in "-O0" "-O3 -march=haswell" "-O3 -march=skylake-avx512" "-O2 -fopenmp" "-Ofast"; do
-    check "gcc $flags" "gcc -std=c99 $wall_c $flags -I. -c $work/whole.c -o $work/unit.o"
-    check "g++ $flags" "g++ -x c++ -std=c++11 $wall $flags -I. -c $work/whole.c -o $work/unit.o"
-    check "clang $flags" "clang -std=c99 -Weverything $flags -I. -c $work/whole.c -o $work/unit.o"
+for std in c++98 c++11 c++14 c++17 c++20 c++2b; do
+    case $std in c++17) units=$every ;; *) units="whole static public" ;; esac
+    units "$units" g++ -x c++ -std=$std $wall
+    units "$units" clang++ -x c++ -std=$std $wall
 done
-check "gcc for arm64" "aarch64-linux-gnu-gcc -std=c99 $wall_c -O2 -I. -c $work/whole.c -o $work/unit.o"
+units "$every" tcc -Wall
+units "whole dispatch" gcc -std=c99 $wall_c -O2
+units "whole dispatch" clang -std=c99 -Weverything -O2
+for flags in "-O3 -march=haswell" "-O3 -march=skylake-avx512" "-O2 -fopenmp" "-Ofast"; do
+    check "gcc $flags" "gcc -std=c99 $wall_c $flags -I. -c $work/whole.c -o $here/unit.o"
+    check "g++ $flags" "g++ -x c++ -std=c++11 $wall $flags -I. -c $work/whole.c -o $here/unit.o"
+    check "clang $flags" "clang -std=c99 -Weverything $flags -I. -c $work/whole.c -o $here/unit.o"
+done
+units whole $gcc32 -std=c99 $wall_c
+units whole $arm64 -std=c99 $wall_c -O2
+units whole $s390x -std=c99 $wall_c
+units whole musl-gcc -std=c99 $wall_c
 
 # --- what it leaves in a program --------------------------------------------------------------------------------------
 gcc -std=c99 -O2 -I. -c "$work/whole.c" -o "$work/whole.o"
@@ -60,15 +81,15 @@ check "only surfmink_ symbols are exported" "nm -g --defined-only $work/whole.o 
 check "no writable data" "nm $work/whole.o | awk '\$2 ~ /^[bBdDcC]\$/'"
 libm='^(sin|cos|sincos|atan2|sqrt|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail)$'
 check "only libm is asked for" "nm -u $work/whole.o | awk '{ print \$2 }' | grep -vE '$libm' || true"
-gcc -std=c99 -O2 -I. -c "$work/static.c" -o "$work/static.o"
-check "SURFMINK_STATIC exports nothing" "nm -g --defined-only $work/static.o"
+check "SURFMINK_STATIC exports nothing" "
+    gcc -std=c99 -O2 -I. -c $work/static.c -o $here/static.o && nm -g --defined-only $here/static.o"
 check "only SURFMINK_ macros are defined" "
-    printf '#include <stddef.h>\n#include <math.h>\n#include <immintrin.h>\n' > $work/libc.c
-    gcc -std=c99 -dM -E $work/libc.c | sort > $work/libc.macros
-    gcc -std=c99 -dM -E -I. $work/whole.c | sort | comm -13 $work/libc.macros - | grep -v '^#define SURFMINK_' || true"
+    printf '#include <stddef.h>\n#include <math.h>\n#include <immintrin.h>\n' > $here/libc.c
+    gcc -std=c99 -dM -E $here/libc.c | sort > $here/libc.macros
+    gcc -std=c99 -dM -E -I. $work/whole.c | sort | comm -13 $here/libc.macros - | grep -v '^#define SURFMINK_' || true"
 
 # --- ways to include it -----------------------------------------------------------------------------------------------
-cat > "$work/first.c" << 'END'
+cat > "$work/first.c" << 'C'
 #define SURFMINK_STATIC
 #include "surfmink.h"
 int second(void);
@@ -76,8 +97,8 @@ int main(void)
 {
     return surfmink_strerror(0)[0] + second() != 'm' + 'm';
 }
-END
-cat > "$work/second.c" << 'END'
+C
+cat > "$work/second.c" << 'C'
 #define SURFMINK_STATIC
 #include "surfmink.h"
 int second(void);
@@ -85,10 +106,10 @@ int second(void)
 {
     return surfmink_strerror(0)[0];
 }
-END
+C
 check "private copies in two files of a program" \
-    "gcc -std=c99 -Wall -Wextra -I. $work/first.c $work/second.c -o $work/two -lm && $work/two"
-cat > "$work/late.c" << 'END'
+    "gcc -std=c99 -Wall -Wextra -I. $work/first.c $work/second.c -o $here/two -lm && $here/two"
+cat > "$work/late.c" << 'C'
 #include "surfmink.h"
 #include "surfmink.h"
 #define SURFMINK_IMPLEMENTATION
@@ -98,18 +119,53 @@ int main(void)
 {
     return surfmink_strerror(0)[0] != 'm';
 }
-END
+C
 check "declarations first, implementation later, all twice" \
-    "gcc -std=c99 -Wall -Wextra -I. $work/late.c -o $work/late -lm && $work/late"
+    "gcc -std=c99 -Wall -Wextra -I. $work/late.c -o $here/late -lm && $here/late"
+
+# among HEADERS...: between other headers, and among names that headers of Windows, X11 and others define as macros
+cat > "$work/macros.h" << 'C'
+#define min(a, b) (((a) < (b)) ? (a) : (b))
+#define max(a, b) (((a) > (b)) ? (a) : (b))
+#define near
+#define far
+#define small char
+#define interface struct
+#define IN
+#define OUT
+#define ERROR 0
+#define None 0L
+#define Status int
+#define Success 0
+#define Bool int
+#define True 1
+#define PI 3.14159265358979323846
+#define E 2.718281828459045
+#define N 1000
+#define PLANE 1
+#define OK (-1)
+C
+among() {
+    for header in "$@"; do printf '#include %s\n' "$header"; done > "$work/among$#.c"
+    printf 'int main(void)\n{\n    return surfmink_strerror(0)[0] != 109;\n}\n' >> "$work/among$#.c"
+    for compiler in gcc clang; do
+        check "$compiler, among $*" \
+            "$compiler -Wall -Wextra -I. -I$work -DSURFMINK_IMPLEMENTATION $work/among$#.c -o $here/among -lm && $here/among"
+    done
+}
+among '"surfmink.h"' '<math.h>'
+among '<math.h>' '<stdlib.h>' '"surfmink.h"'
+among '<complex.h>' '<tgmath.h>' '<stdio.h>' '"surfmink.h"'
+among '"macros.h"' '<stdlib.h>' '<complex.h>' '<math.h>' '"surfmink.h"'
 mkdir -p "$work/vendor"
 cp surfmink.h "$work/vendor/surfmink.h"
 cp surfmink.h "$work/vendor/tensors.h"
 printf '#define SURFMINK_IMPLEMENTATION\n#include "vendor/surfmink.h"\n' > "$work/vendored.c"
 printf '#define SURFMINK_IMPLEMENTATION\n#include "vendor/tensors.h"\n' > "$work/renamed.c"
-check "in a folder of the program's" "gcc -std=c99 -Wall -Wextra -c $work/vendored.c -o $work/vendored.o"
+check "in a folder of the program's" "gcc -std=c99 -Wall -Wextra -c $work/vendored.c -o $here/vendored.o"
 check "under another name" "gcc -std=c99 -Wall -Wextra -DSURFMINK_DISPATCH -DSURFMINK_FILE='\"tensors.h\"' \
-    -c $work/renamed.c -o $work/vendored.o"
-cat > "$work/freestanding.c" << 'END'
+    -c $work/renamed.c -o $here/vendored.o"
+cat > "$work/freestanding.c" << 'C'
 #define SURFMINK_SIN my_sin
 #define SURFMINK_COS my_cos
 #define SURFMINK_ATAN2 my_atan2
@@ -117,86 +173,192 @@ cat > "$work/freestanding.c" << 'END'
 double my_sin(double x), my_cos(double x), my_atan2(double y, double x), my_sqrt(double x);
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
-END
+C
 check "freestanding, with libm replaced" "
     gcc -std=c99 -ffreestanding -nostdinc -isystem \$(gcc -print-file-name=include) -Wall -Wextra -I. -O1 \
-        -c $work/freestanding.c -o $work/freestanding.o &&
-    nm -u $work/freestanding.o | awk '\$2 !~ /^(my_|memset|memcpy)/'"
+        -c $work/freestanding.c -o $here/freestanding.o &&
+    nm -u $here/freestanding.o | awk '\$2 !~ /^(my_|memset|memcpy)/'"
 
 # --- the programs around it -------------------------------------------------------------------------------------------
-for program in examples/*.c tests/test_*.c; do
-    check "gcc, $program" "gcc -std=c99 $wall_c -O2 -I. $program -o $work/program -lm"
-    check "clang, $program" "clang -std=c99 $wall_c -O2 -I. $program -o $work/program -lm"
+for program in examples/*.c examples/paper/*.c; do
+    check "gcc, $program" "gcc -std=c99 $wall_c -O2 -I. -c $program -o $here/program.o"
+    check "clang, $program" "clang -std=c99 $wall_c -I. -c $program -o $here/program.o"
 done
 
-# theorems COMPILER FLAGS...: the whole set of test programs, built by another compiler or with other flags; of batches
-# a tenth, for these builds are slow.
+# theorems FEWER RUNNER COMPILER FLAGS...: the whole set of test programs, built by another compiler, with other flags or
+# for another machine; of batches a part. The machines that round like x86-64 (see "determinism") run $some of them.
+all=$(echo tests/test_*.c)
+some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
 theorems() {
-    for program in tests/test_*.c; do
-        check "$* $program" "$* -std=c99 -DFEWER=10 -I. $program -o $work/theorem -lm && $(quietly "$work/theorem")"
+    programs=$1 fewer=$2 runner=$3
+    shift 3
+    for program in $programs; do
+        check "$(short "$*"), $program" "$* -std=c99 -DFEWER=$fewer -I. $program -o $here/theorem -lm &&
+            $(quietly "$runner $here/theorem")"
     done
 }
-theorems gcc -O0
-theorems gcc -O3 -march=native
-theorems clang -O2
-theorems tcc
-theorems gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
-theorems clang -O1 -g -fsanitize=undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all
+sanitize="-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all"
+theorems "$all" 10 "" gcc -O0
+theorems "$all" 10 "" gcc -O3 -march=native -fno-math-errno $wall_c
+theorems "$all" 10 "" clang -O2 $wall_c
+theorems "$all" 10 "" tcc
+theorems "$all" 10 "" musl-gcc -O1
+theorems "$all" 50 qemu-s390x $s390x -O1
+theorems "$some" 50 qemu-i386 $gcc32 -O1 -msse2 -mfpmath=sse
+theorems "$some" 50 qemu-i386 $gcc32 -O1 -mno-sse
+theorems "$some" 50 qemu-aarch64 $arm64 -O2
+theorems "$all" 10 "" clang -O1 -g $sanitize
+theorems "$all" 10 "" clang -O1 -g -fsanitize=memory
+theorems "$all" 100 "valgrind -q --error-exitcode=9" gcc -O1 -g
 
 # batches: what threads, other instructions and plain C make of them
 for flags in "gcc -O2 -fopenmp" "gcc -O2 -DSURFMINK_NO_SIMD"; do
-    check "$flags, batches" "$flags -std=c99 -I. tests/test_batch.c -o $work/theorem -lm && $(quietly "$work/theorem")"
-done
-for program in test_batch test_measure test_reference; do
-    check "arm64, $program" "aarch64-linux-gnu-gcc -std=c99 -O2 -static -DFEWER=20 -I. tests/$program.c \
-        -o $work/theorem -lm && $(quietly "qemu-aarch64 $work/theorem")"
+    check "$flags, batches" "$flags -std=c99 -I. tests/test_batch.c -o $here/theorem -lm &&
+        $(quietly "$here/theorem")"
 done
 for flags in "-O2" "-Ofast -march=native"; do
     check "gcc $flags, the benchmark: what it compares agrees" "
-        gcc -std=c99 $wall_c $flags -I. tests/bench/bench.c -o $work/bench -lm &&
-        $(quietly "$work/bench --quick --rounds 1 --place cache")"
+        gcc -std=c99 $wall_c $flags -I. tests/bench/bench.c -o $here/bench -lm &&
+        $(quietly "$here/bench --quick --rounds 1 --place cache")"
+done
+
+# --- determinism: the same bits, or nearly the same numbers -----------------------------------------------------------
+# same NAME LINES BUILD...: builds whose outputs are the same to the bit; a build is a runner (or none), a colon and a
+# compiler. Of their lines those that match a pattern.
+same() {
+    name=$1 lines=$2
+    shift 2
+    for build in "$@"; do
+        echo "${build#*:} -I. tests/check/outputs.c -o \$here/outputs -lm && ${build%%:*} \$here/outputs > \$here/said.bits"
+        echo "grep '$lines' \$here/said.bits > \$here/bits; [ -f \$here/first ] || cp \$here/bits \$here/first"
+        echo "cmp \$here/bits \$here/first || echo '$build'; rm -f \$here/outputs \$here/bits"
+    done > "$work/same"
+    check "the same bits, $name" "$(cat "$work/same")"
+}
+own="-DOWN_FUNCTIONS -std=c99"
+same "with one libm" . ":gcc -std=c99 -O2" ":gcc -std=c89 -O0 -D_GNU_SOURCE" ":gcc -O3" ":g++ -x c++ -O2" ":clang -O0" \
+    ":clang -O3 -ffp-contract=off" ":gcc -std=c99 -O2 -fno-math-errno"
+same "in SSE2, without libm" . ":gcc $own -O2" ":clang $own -O2" ":musl-gcc $own -O1" \
+    "qemu-i386:$gcc32 $own -O2 -msse2 -mfpmath=sse"
+# gcc 12 fuses for its vectors (vfmaddsub) even where -std=c99 says not to
+same "in AVX2, AVX-512 and NEON, without libm" . "qemu-aarch64:$arm64 $own -O2" ":gcc $own -O2 -DSURFMINK_DISPATCH" \
+    "qemu-x86_64 -cpu max:gcc $own -O3 -march=haswell -fno-tree-slp-vectorize" ":gcc $own -O1 -march=native" \
+    "qemu-x86_64 -cpu max:clang $own -O2 -march=haswell -ffp-contract=off"
+same "in plain C, without libm" . ":tcc $own" ":gcc $own -O2 -DSURFMINK_NO_SIMD" "qemu-s390x:$s390x $own -O2" \
+    "qemu-aarch64:$arm64 -DSURFMINK_NO_SIMD $own -O2"
+same "of single calls, whatever the instructions" '^[^b]' ":gcc $own -O1" ":gcc $own -O1 -DSURFMINK_NO_SIMD" \
+    ":gcc $own -O1 -march=native" "qemu-s390x:$s390x $own -O1"
+
+# near WITHIN OPTIONS RUNNER COMPILER...: where bits differ, the same statuses, and numbers within WITHIN (1 + c)^2
+gcc -std=c99 -O2 -I. tests/check/outputs.c -o "$work/outputs" -lm && "$work/outputs" --write "$work/numbers" > /dev/null
+near() {
+    within=$1 options=$2 runner=$3
+    shift 3
+    check "within $within, $* $options" "$* -I. tests/check/outputs.c -o $here/outputs -lm &&
+        $(quietly "$runner $here/outputs --compare $work/numbers $within $options")"
+}
+near 1e-14 "" "" gcc -Ofast
+near 1e-14 "" "" gcc -Ofast -march=native
+near 1e-14 "" "" clang -O2 -ffast-math
+near 1e-14 "" "" clang -Ofast -march=native
+near 1e-14 "" qemu-i386 $gcc32 -O2 -mno-sse
+near 1e-14 "" qemu-i386 $gcc32 -O2 -mno-sse -std=c99
+near 1e-14 "" "" musl-gcc -O2
+near 1e-14 "" qemu-aarch64 $arm64 -O2
+near 1e-14 "" qemu-s390x $s390x -O2 -march=z13
+rounding="--rounding up --rounding down --rounding zero"
+near 2e-14 "$rounding" "" gcc -O2 -frounding-math -DSURFMINK_NO_SIMD
+near 1e-6 "$rounding" "" gcc -O2 -frounding-math
+near 1e-6 "$rounding" "" clang -O2 -march=native
+
+# --- the command in a country with a decimal comma, and on a big-endian machine ---------------------------------------
+# comma.c makes it speak the language of the country, which it never does by itself
+check "a locale with a comma changes no byte" "
+    localedef --no-archive -i de_DE -f UTF-8 $here/de_DE.UTF-8 &&
+    export LOCPATH=$here COMMA_LOCALE=de_DE.UTF-8 &&
+    gcc -std=c99 -O1 -I. examples/surfmink.c tests/check/comma.c -o $here/surfmink -lm &&
+    tissue=\"--digits 17 --svg $here/svg examples/data/tissue.tsv\" &&
+    LC_ALL=C .build/surfmink \$tissue > $here/1 && mv $here/svg $here/1.svg &&
+    LC_ALL=de_DE.UTF-8 .build/surfmink \$tissue | cmp - $here/1 && cmp $here/svg $here/1.svg &&
+    $here/surfmink \$tissue | cmp - $here/1 && cmp $here/svg $here/1.svg &&
+    LC_ALL=de_DE.UTF-8 .build/tissue | cmp - examples/data/tissue.tsv &&
+    $(quietly "sh tests/test_command.sh $here/surfmink")"
+check "big-endian, the command: the same bytes as on arm64" "
+    $s390x -std=c99 -O2 -I. examples/surfmink.c -o $here/big -lm &&
+    $arm64 -std=c99 -O2 -DSURFMINK_NO_SIMD -I. examples/surfmink.c -o $here/little -lm &&
+    for table in examples/data/tissue.tsv examples/data/countries.tsv; do
+        qemu-s390x $here/big --digits 17 \$table > $here/1 2> $here/3
+        qemu-aarch64 $here/little --digits 17 \$table > $here/2 2> $here/4
+        test -s $here/1 && cmp $here/1 $here/2 && cmp $here/3 $here/4 || echo \$table
+    done"
+
+# --- static analysis --------------------------------------------------------------------------------------------------
+for unit in "$work/whole.c" "$work/static.c" examples/*.c; do
+    check "clang-tidy, ${unit##*/}" "$(quietly "clang-tidy-14 --quiet $unit -- -std=c99 -I.")"
+    check "cppcheck, ${unit##*/}" "
+        cppcheck -q --std=c99 --enable=warning,performance,portability --error-exitcode=1 --force \
+            --suppressions-list=.cppcheck -I. $unit"
+done
+for unit in "$work/whole.c" examples/levelset.c examples/tissue.c; do
+    check "gcc -fanalyzer, ${unit##*/}" "gcc -std=c99 -O1 -fanalyzer -I. -c $unit -o $here/unit.o"
 done
 
 # --- fuzzing, for a moment: the corpus, and random strings made from it -----------------------------------------------
 for harness in tests/fuzz/*.c; do
     name=$(basename "$harness" .c)
-    check "gcc, fuzz $name" "gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. $harness \
-        -o $work/fuzz -lm && $(quietly "$work/fuzz --random 2000 tests/fuzz/corpus/$name/*")"
+    check "fuzz $name" "clang -std=c99 -O1 -g $sanitize -I. $harness \
+        -o $here/fuzz -lm && $(quietly "$here/fuzz --random 2000 tests/fuzz/corpus/$name/*")"
 done
 
 # --- accuracy, on few polygons ----------------------------------------------------------------------------------------
 check "worst errors of the kernels against quadruple precision" "
-    gcc -std=c99 -O2 -I. tests/accuracy/kernels.c -o $work/kernels -lquadmath -lm && $(quietly "$work/kernels")"
+    gcc -std=c99 -O2 -I. tests/accuracy/kernels.c -o $here/kernels -lquadmath -lm && $(quietly "$here/kernels")"
 check "worst errors against quadruple precision" "
-    gcc -O2 -I. tests/accuracy/accuracy.c -o $work/accuracy -lquadmath -lm &&
-    $(quietly "$work/accuracy --polygons 1000")"
+    gcc -O2 -I. tests/accuracy/accuracy.c -o $here/accuracy -lquadmath -lm &&
+    $(quietly "$here/accuracy --polygons 1000")"
 
 # --- the commands under sanitizers ------------------------------------------------------------------------------------
-sanitize="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
-for command in surfmink levelset tissue; do
-    check "$command with sanitizers" "gcc -std=c99 $sanitize -I. examples/$command.c -o $work/$command -lm"
-done
-check "the command's contract, with sanitizers" "$(quietly "sh tests/test_command.sh $work/surfmink")"
-check "levelset's contract, with sanitizers" "$(quietly "sh tests/test_levelset.sh $work/levelset $work/surfmink")"
+check "the command's contract, with sanitizers" "gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. \
+    examples/surfmink.c -o $here/surfmink -lm &&
+    $(quietly "sh tests/test_command.sh $here/surfmink")"
+check "levelset's contract, with sanitizers" "gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. \
+    examples/levelset.c -o $here/levelset -lm &&
+    $(quietly "sh tests/test_levelset.sh $here/levelset .build/surfmink")"
+check "the tissue is what its generator makes, with sanitizers" "gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. \
+    examples/tissue.c -o $here/tissue -lm &&
+    $here/tissue | cmp - examples/data/tissue.tsv"
 check "valgrind finds nothing in the demo's tissue" "valgrind -q --leak-check=full --error-exitcode=9 .build/surfmink \
-    --svg $work/tissue.svg examples/data/tissue.tsv > $work/tissue.out"
+    --svg $here/tissue.svg examples/data/tissue.tsv > $here/tissue.out"
 
 # --- what users see ---------------------------------------------------------------------------------------------------
-check "make demo" "$(quietly "make -s demo")"
-check "make paper: every printed digit" "$(quietly "make -s paper")"
-check "pictures are valid XML" "xmllint --noout .build/demo/*.svg .build/paper/*.svg"
-check "the README shows the picture of the demo" "cmp .build/demo/tissue.svg docs/pictures/tissue.svg"
-check "docs/paper.md shows the pictures of make paper" "
+check "make demo: valid pictures, that of the README among them" "$(quietly "make -s demo") &&
+    xmllint --noout .build/demo/*.svg && cmp .build/demo/tissue.svg docs/pictures/tissue.svg"
+check "make paper: every printed digit, and the pictures of docs/paper.md" "$(quietly "make -s paper") &&
+    xmllint --noout .build/paper/*.svg &&
     for picture in docs/paper/*.svg; do cmp .build/paper/\${picture##*/} \$picture; done"
-check "make install" "$(quietly "make -s install DESTDIR=$work/installed PREFIX=/usr")
-    PKG_CONFIG_PATH=$work/installed/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' &&
-    test -x $work/installed/usr/bin/surfmink"
-check "the tissue is what its generator makes" ".build/tissue | cmp - examples/data/tissue.tsv"
+check "make install" "$(quietly "make -s install DESTDIR=$here/installed PREFIX=/usr")
+    PKG_CONFIG_PATH=$here/installed/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' &&
+    test -x $here/installed/usr/bin/surfmink"
 check "layout" "clang-format-14 --dry-run --Werror surfmink.h \$(find examples tests -name '*.[ch]')"
 check "lines of at most 120 columns" "awk 'length > 120 { print FILENAME \":\" FNR }' surfmink.h Makefile \
     \$(find examples tests -name '*.[ch]' -o -name '*.sh')"
 check "the version stands on line 1 and in the macros" "v=\$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
     grep -q \"#define SURFMINK_VERSION  *\\\"\$v\\\"\" surfmink.h"
 
+# --- all of them ------------------------------------------------------------------------------------------------------
+pool "$list"
+passed=0 failed=0
+for script in "$list"/*.sh; do
+    here=${script%.sh}
+    name=$(sed -n '1s/^# //p' "$script")
+    if [ "$(cat "$here/status")" = 0 ] && [ ! -s "$here/said" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        { echo "FAILED $name" && sed 1d "$script" && cat "$here/said"; } | head -n 30
+    fi
+    sed 's/[ms]/ /g' "$here/times" | awk -v slow="${SLOW:-0}" -v name="$name" '
+        NR == 2 { seconds = 60 * $1 + $2 + 60 * $3 + $4; if (slow && seconds >= slow) printf "%.1f s %s\n", seconds, name }'
+done
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

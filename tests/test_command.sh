@@ -1,45 +1,10 @@
 #!/bin/sh
 # test_command.sh COMMAND: holds the command `surfmink` to what its --help promises. Needs only a POSIX shell.
-case $1 in
-/*) surfmink=$1 ;;
-*) surfmink=$PWD/$1 ;;
-esac
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/harness.sh"
+surfmink=$(absolute "$1")
 cd "$work" || exit 1
-passed=0 failed=0
 
 # --- harness ----------------------------------------------------------------------------------------------------------
-
-# check NAME GOT WANT
-check() {
-    if [ "$2" = "$3" ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n  got  %s\n  want %s\n' "$1" "$2" "$3"
-    fi
-}
-
-# near NAME GOT WANT: equal to 1e-12.
-near() {
-    if awk -v got="$2" -v want="$3" 'BEGIN { d = got - want; exit !(got != "" && d <= 1e-12 && d >= -1e-12) }'; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n  got  %s\n  want %s\n' "$1" "$2" "$3"
-    fi
-}
-
-# has NAME FILE TEXT: a line of the file contains the text.
-has() {
-    if grep -F -e "$3" "$2" > /dev/null; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n  got  %s\n  want %s\n' "$1" "$(head -n 5 "$2")" "$3"
-    fi
-}
 
 # run ARGUMENT...: the command, with the file `in` as its standard input; leaves out, err and $status.
 run() {
@@ -912,24 +877,4 @@ wrong "--view is LON,LAT in degrees or a direction X,Y,Z, not '0,0,0'" --svg a.s
 wrong "--view 1,91: a latitude" --svg a.svg --view 1,91
 wrong "--svg needs the name of a file" --svg -
 
-# --- output that cannot be written ------------------------------------------------------------------------------------
-
-awk 'BEGIN { print "cell x y"; for (i = 0; i < 2000; ++i) print i, "0 0\n" i, "1 0\n" i, "1 1" }' > in
-{
-    "$surfmink" --max-rank 40 in 2> err
-    echo $? > code
-} | true
-check "a closed pipe: exit status" "$(cat code)" 1
-has "a closed pipe: message" err "surfmink: cannot write to standard output"
-if [ -w /dev/full ]; then
-    "$surfmink" one.tsv > /dev/full 2> err
-    check "a full disk: exit status" $? 1
-    has "a full disk: message" err "surfmink: cannot write to standard output"
-    "$surfmink" --help > /dev/full 2> err
-    check "a full disk, help: exit status" $? 1
-    run one.tsv --svg /dev/full
-    stopped "a full disk, picture" "/dev/full: cannot write"
-fi
-
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+totals

@@ -231,6 +231,19 @@ THEOREM(clockwise_outlines_are_named)
     }
 }
 
+/* Towards the last corner and away from it the outline turns by so little that no product of its edges can tell. */
+THEOREM(clockwise_is_found_out_where_a_turn_is_next_to_nothing)
+{
+    const double far[8] = {8e153, -1e-155, -1e153, -3e154, -2e66, 0, 0, 0};
+    double corner[8];
+    int k, e;
+    for (e = 0; e >= -200; e -= 10) {
+        for (k = 0; k < 8; ++k) corner[k] = ldexp(far[k], e);
+        CASE("2^%d", e);
+        BLAMES(measure(PLANE, corner, 4, 3), SURFMINK_CLOCKWISE, 4);
+    }
+}
+
 THEOREM(a_rank_is_not_negative)
 {
     double corner[15];
@@ -280,6 +293,9 @@ THEOREM(what_overflows_is_not_finite)
     REFUSES(surfmink_measure_plane(wide, 3, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
     wide[0] = 0, wide[1] = 0, wide[2] = 1e160, wide[3] = 0, wide[4] = 0, wide[5] = 1e160; /* an area */
     REFUSES(surfmink_measure_plane(wide, 3, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_area_plane(wide, 3, &out.mu[0]), SURFMINK_NOT_FINITE);
+    wide[2] = wide[5] = 1.6e154; /* twice an area */
+    BLAMES(measure(PLANE, wide, 3, 3), SURFMINK_NOT_FINITE, 3);
     REFUSES(surfmink_area_plane(wide, 3, &out.mu[0]), SURFMINK_NOT_FINITE);
     CHECK_OK(surfmink_edges_plane(wide, 3, out.length, out.turning, &bad));
     pentagon(SPHERE, corner);
@@ -941,6 +957,7 @@ int main(void)
     PROVE(on_the_sphere_one_direction_is_one_point_however_far_off);
     PROVE(corners_may_meet_again_if_they_are_not_neighbours);
     PROVE(clockwise_outlines_are_named);
+    PROVE(clockwise_is_found_out_where_a_turn_is_next_to_nothing);
     PROVE(a_rank_is_not_negative);
     PROVE(the_blame_may_be_left_out);
     PROVE(what_overflows_is_not_finite);

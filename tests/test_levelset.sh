@@ -1,43 +1,14 @@
 #!/bin/sh
 # test_levelset.sh LEVELSET SURFMINK: holds the command `levelset` to what its --help promises, and pipes it into
 # `surfmink`. Needs only a POSIX shell. Run it from the root of the repository.
-absolute() {
-    case $1 in
-    /*) echo "$1" ;;
-    *) echo "$PWD/$1" ;;
-    esac
-}
+. "$(dirname "$0")/harness.sh"
 levelset=$(absolute "$1")
 surfmink=$(absolute "$2")
 data=$PWD/tests/data
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-passed=0 failed=0
 tab=$(printf '\t')
 
 # --- harness ----------------------------------------------------------------------------------------------------------
-
-# check NAME GOT WANT
-check() {
-    if [ "$2" = "$3" ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n  got  %s\n  want %s\n' "$1" "$2" "$3"
-    fi
-}
-
-# near NAME GOT WANT WITHIN
-near() {
-    if awk -v got="$2" -v want="$3" -v within="$4" '
-        BEGIN { d = got - want; exit !(got != "" && d <= within && d >= -within) }'; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        printf 'FAILED %s\n  got  %s\n  want %s\n' "$1" "$2" "$3"
-    fi
-}
 
 # run ARGUMENT...: the command, with the file `in` as its standard input; leaves out, err and $status.
 run() {
@@ -302,5 +273,4 @@ if [ -w /dev/full ]; then
     check "a full disk" "$? $(sed 's/written.*/written/' err)" "1 levelset: standard output cannot be written"
 fi
 
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+totals

@@ -70,6 +70,14 @@ static void check_standard_output(void)
     if (ferror(stdout)) die("surfmink: cannot write to standard output: %s", strerror(errno));
 }
 
+/* Some disks say only now that they are full. */
+static void close_standard_output(void)
+{
+    if (fclose(stdout) == 0) return;
+    fprintf(stderr, "surfmink: cannot write to standard output: %s\n", strerror(errno));
+    exit(EXIT_TROUBLE);
+}
+
 /* --- memory ------------------------------------------------------------------------------------------------------- */
 
 static void *resize(void *array, size_t count, size_t size)
@@ -86,6 +94,18 @@ static void *grow(void *array, size_t *room, size_t need, size_t size)
     *room = need > 2 * *room ? need : 2 * *room;
     if (*room < 16) *room = 16;
     return resize(array, *room, size);
+}
+
+/* --- numbers into text -------------------------------------------------------------------------------------------- */
+
+/* A number that is not negative, with so many decimals: as printf, but the same in every locale. */
+static void put_decimals(FILE *file, double number, int decimals)
+{
+    long whole = 1, all;
+    int k;
+    for (k = 0; k < decimals; ++k) whole *= 10;
+    all = lround(number * (double)whole);
+    fprintf(file, "%ld.%0*ld", all / whole, decimals, all % whole);
 }
 
 /* --- counts out of text ------------------------------------------------------------------------------------------- */

@@ -143,8 +143,9 @@ static size_t next_piece(const horizon *h, size_t i)
 
 static void follow_horizon(points *ring, double from, double to)
 {
-    double way = horizon_way(from, to), step = degrees_per_point * 0.017453292519943296, gone;
-    for (gone = step; gone < way; gone += step) add_horizon_point(ring, from + gone);
+    double way = horizon_way(from, to), step = degrees_per_point * 0.017453292519943296;
+    int i;
+    for (i = 1; i * step < way; ++i) add_horizon_point(ring, from + i * step);
 }
 
 /* The ring that begins with a piece which has not been drawn yet; 0 if there is none. */

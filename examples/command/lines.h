@@ -31,17 +31,19 @@ typedef struct lines {
     search feed, cr, nul; /* \n, \r, \0 */
 } lines;
 
-enum { BLOCK_SIZE = 65536 };
+enum { BLOCK_SIZE = 65536, LONGEST_LINE = 1 << 26 };
 
 /* The run stops at a line that says nothing: whatever followed would be a guess. */
 static void malformed(const lines *in, const char *format, ...) COMMAND_PRINTF(2, 3) COMMAND_DIES;
 static void malformed(const lines *in, const char *format, ...)
 {
-    char reason[512];
+    char reason[512], *c;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(reason, sizeof reason, format, arguments);
     va_end(arguments);
+    for (c = reason; *c; ++c)
+        if ((unsigned char)*c < ' ' || *c == 0x7f) *c = '?'; /* what is quoted shall not command a terminal */
     die("%s:%lu: %s", in->name, in->number, reason);
 }
 
@@ -131,6 +133,7 @@ static size_t find_line_end(lines *in)
         end = feed < cr ? feed : cr;
         if (find(in, &in->nul) < end) malformed(in, "a zero byte: this is not plain text");
         if (in->ended || feed < in->end || cr + 1 < in->end) return end; /* a \r is not the last: \n could follow */
+        if (end - in->next > LONGEST_LINE) malformed(in, "more than 64 MiB without the end of a line");
         read_on(in);
     }
 }

@@ -55,8 +55,8 @@ static size_t count_in(const lines *in, size_t i, const char *what)
 static void read_counts(mesh *m, lines *in)
 {
     size_t first = 1;
-    if (!next_mesh_line(in) || (strcmp(in->field[0], "OFF") != 0 && strcmp(in->field[0], "COFF") != 0))
-        malformed(in, "a mesh begins with OFF");
+    if (!next_mesh_line(in)) die("%s: the file is empty", in->name);
+    if (strcmp(in->field[0], "OFF") != 0 && strcmp(in->field[0], "COFF") != 0) malformed(in, "a mesh begins with OFF");
     if (in->fields == 1) {
         if (!next_mesh_line(in)) malformed(in, "the file ends before the counts");
         first = 0;

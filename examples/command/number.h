@@ -108,12 +108,12 @@ static int big_is_less(const big *x, const big *y)
 /* x >= y. */
 static void big_subtract(big *x, const big *y)
 {
-    uint64_t borrow = 0;
+    uint64_t borrow = 0, rest;
     int i;
     for (i = 0; i < x->words; ++i) {
-        borrow = (uint64_t)x->word[i] - (i < y->words ? y->word[i] : 0) - borrow;
-        x->word[i] = (uint32_t)borrow;
-        borrow = borrow >> 63;
+        rest = ((uint64_t)1 << 32) + x->word[i] - (i < y->words ? y->word[i] : 0) - borrow;
+        x->word[i] = (uint32_t)rest;
+        borrow = !(rest >> 32);
     }
     while (x->words > 0 && x->word[x->words - 1] == 0) --x->words;
 }
@@ -310,7 +310,7 @@ typedef struct decimal {
 
 static unsigned digit_of(char c)
 {
-    return (unsigned)(unsigned char)c - '0';
+    return (unsigned)((unsigned char)c - '0');
 }
 
 /* The number behind an e or p, added to the exponent; without a number s is where it stops. No text is so long that its

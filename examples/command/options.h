@@ -108,10 +108,13 @@ static const char *const help_text[] = {
     "REFUSALS AND EXIT STATUS\n"
     "  A polygon that cannot be measured is named on standard error as FILE:LINE: reason, and the run goes on.\n"
     "  0 all polygons were measured. 2 some were refused. 1 a wrong option; a file that cannot be read or written, is\n"
-    "  malformed, or does not even name its columns: the run stops there.\n"
+    "  malformed, or does not even name its columns: the run stops there. A pipe whose reader has gone (surfmink ... "
+    "|\n"
+    "  head) ends the run without a word, by the signal SIGPIPE.\n"
     "\n"
     "MEMORY\n"
-    "  grows with the largest polygon, not with the table. Meshes, --summary and --svg keep more.\n"};
+    "  grows with the largest polygon, not with the table. Meshes, --summary and --svg keep more. A line may have\n"
+    "  64 MiB.\n"};
 
 /* To standard output, and gone: what was asked for must not get lost unnoticed in a full disk or a closed pipe. */
 static void answer(const char *const *text, size_t pieces) COMMAND_DIES;
@@ -119,7 +122,9 @@ static void answer(const char *const *text, size_t pieces)
 {
     size_t i;
     for (i = 0; i < pieces; ++i) fputs(text[i], stdout);
-    if (fflush(stdout) != 0 || ferror(stdout)) die("surfmink: cannot write to standard output");
+    fflush(stdout);
+    check_standard_output();
+    close_standard_output();
     exit(EXIT_MEASURED);
 }
 

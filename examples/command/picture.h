@@ -58,6 +58,7 @@ static int place_corner(const polygon *p, size_t i, double corner[3], double nor
     size_t k;
     for (k = 0; k < 3; ++k) {
         corner[k] = p->surface == PLANE ? (k < 2 ? p->corner[2 * i + k] : 0) : p->corner[3 * i + k];
+        /* NOLINTNEXTLINE(clang-analyzer-core.NullDereference): an embedded polygon with a corner i has normals */
         normal[k] = p->surface == PLANE ? (k < 2 ? 0 : 1) : p->surface == SPHERE ? corner[k] : p->normal[3 * i + k];
         if (!(fabs(corner[k]) < 1e100)) return 0; /* there, sizes would overflow */
     }

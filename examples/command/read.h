@@ -5,6 +5,10 @@
 #include "mesh.h"
 #include "table.h"
 
+#if HAS_POSIX
+#include <sys/stat.h>
+#endif
+
 typedef struct reader {
     lines in;
     int surface; /* of all its polygons */
@@ -19,10 +23,35 @@ static int ends_in_off(const char *name)
     return n >= 4 && (strcmp(name + n - 4, ".off") == 0 || strcmp(name + n - 4, ".OFF") == 0);
 }
 
+/* Whether a file, NULL is standard output, and an open one are the same, whatever their names. */
+static int is_same_file(const char *name, FILE *file, const char *file_name)
+{
+#if HAS_POSIX
+    struct stat a, b;
+    int known = (name ? stat(name, &a) : fstat(STDOUT_FILENO, &a)) == 0 && fstat(fileno(file), &b) == 0;
+    (void)file_name;
+    return known && S_ISREG(a.st_mode) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+#else
+    (void)file;
+    return name && strcmp(name, file_name) == 0;
+#endif
+}
+
+/* What is read must not be written at the same time. (Closed, standard output has left its number to the file.) */
+static void check_outputs(const reader *r, const char *name, const options *o)
+{
+    if (o->svg && is_same_file(o->svg, r->in.file, name)) die("%s: --svg would overwrite it", name);
+#if HAS_POSIX
+    if (fileno(r->in.file) == STDOUT_FILENO) return;
+#endif
+    if (is_same_file(NULL, r->in.file, name)) die("%s: it is standard output as well", name);
+}
+
 static void open_reader(reader *r, const char *name, const powers_of_ten *powers, const options *o)
 {
     memset(r, 0, sizeof *r);
     open_lines(&r->in, name, powers);
+    check_outputs(r, name, o);
     r->is_mesh = ends_in_off(name);
     if (r->is_mesh) {
         read_mesh(&r->mesh, &r->in, o);

@@ -61,6 +61,12 @@ static double quantile(const double *sorted, size_t n, double fraction)
     return sorted[below] + (place - (double)below) * (sorted[above] - sorted[below]);
 }
 
+static void put_column(double value)
+{
+    fputs("  ", stderr);
+    put_decimals(stderr, value, 6);
+}
+
 static void summarize_rank(const summary *s, int p, int max_rank, double *values)
 {
     size_t i, n = s->measured;
@@ -69,13 +75,14 @@ static void summarize_rank(const summary *s, int p, int max_rank, double *values
     qsort(values, n, sizeof *values, by_size);
     for (i = 0; i < n; ++i) mean += values[i] / (double)n;
     for (i = 0; i < n; ++i) squares += (values[i] - mean) * (values[i] - mean);
-    fprintf(stderr, "mu_%-5d %9.6f ", p, mean);
+    fprintf(stderr, "mu_%-5d", p);
+    put_column(mean);
     if (n > 1)
-        fprintf(stderr, "%9.6f", sqrt(squares / (double)(n - 1)));
+        put_column(sqrt(squares / (double)(n - 1)));
     else
-        fputs("        -", stderr); /* one value does not spread */
-    fprintf(stderr, " %9.6f %9.6f %9.6f\n", quantile(values, n, 0.25), quantile(values, n, 0.5),
-            quantile(values, n, 0.75));
+        fputs("         -", stderr); /* one value does not spread */
+    for (i = 1; i <= 3; ++i) put_column(quantile(values, n, 0.25 * (double)i));
+    fputc('\n', stderr);
 }
 
 static void write_summary(const summary *s, int max_rank)

@@ -217,9 +217,10 @@ static void put_tooltip(const drawing *d, const picture *g, const shape *s)
 {
     fputs("<title>", d->file);
     put_text(d->file, g->text + s->id, IN_XML);
-    if (s->status == SURFMINK_OK)
-        fprintf(d->file, ": mu_%d = %.4f", d->options->color_by, s->mu);
-    else
+    if (s->status == SURFMINK_OK) {
+        fprintf(d->file, ": mu_%d = ", d->options->color_by);
+        put_decimals(d->file, s->mu, 4);
+    } else
         fprintf(d->file, ": %s", surfmink_status_name(s->status));
     fputs("</title>", d->file);
 }
@@ -311,6 +312,7 @@ static void draw_shapes(drawing *d, const picture *g)
 static void draw_bar(const drawing *d, int has_refused)
 {
     double x = MARGIN + d->width + BAR_GAP, y = MARGIN + d->shift + (d->height - BAR_HEIGHT) / 2, at;
+    char tick[32];
     int i, ticks = (int)(d->top / d->tick + 0.5);
     fprintf(d->file,
             "<g font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\" transform=\"translate(");
@@ -324,8 +326,12 @@ static void draw_bar(const drawing *d, int has_refused)
     fprintf(d->file, "<rect width=\"%d\" height=\"%d\" fill=\"url(#bar)\"/>\n", BAR_WIDTH, BAR_HEIGHT);
     for (i = 0; i <= ticks; ++i) {
         at = BAR_HEIGHT * (1 - (double)i / ticks);
-        fprintf(d->file, "<path d=\"M%d %.1fh5\" stroke=\"#222\"/><text x=\"%d\" y=\"%.1f\">%.4g</text>\n", BAR_WIDTH,
-                at, BAR_WIDTH + 9, at + 4.5, i * d->tick);
+        fprintf(d->file, "<path d=\"M%d ", BAR_WIDTH);
+        put_decimals(d->file, at, 1);
+        fprintf(d->file, "h5\" stroke=\"#222\"/><text x=\"%d\" y=\"", BAR_WIDTH + 9);
+        put_decimals(d->file, at + 4.5, 1);
+        *write_number(NULL, tick, 4, i * d->tick) = '\0';
+        fprintf(d->file, "\">%s</text>\n", tick);
     }
     if (has_refused)
         fprintf(d->file,
@@ -340,7 +346,7 @@ static void define_fills(const drawing *d)
     int i;
     fputs("<defs>\n<linearGradient id=\"bar\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n", d->file);
     for (i = 0; i <= 10; ++i) {
-        fprintf(d->file, "<stop offset=\"%.1f\" stop-color=\"", 0.1 * i);
+        fprintf(d->file, "<stop offset=\"%d.%d\" stop-color=\"", i / 10, i % 10);
         put_color(d->file, 0.1 * i);
         fputs("\"/>\n", d->file);
     }
@@ -394,7 +400,9 @@ static void draw(drawing *d, const picture *g)
     begin_svg(d);
     fputs(g->surface == SPHERE ? "<g clip-path=\"url(#frame)\">\n" : "<g>\n", d->file);
     if (g->surface == SPHERE) draw_sphere(d);
-    fprintf(d->file, "<g stroke=\"#fff\" stroke-width=\"%.2f\" stroke-linejoin=\"round\">\n", line_width(d, g));
+    fputs("<g stroke=\"#fff\" stroke-width=\"", d->file);
+    put_decimals(d->file, line_width(d, g), 2);
+    fputs("\" stroke-linejoin=\"round\">\n", d->file);
     draw_shapes(d, g);
     fputs("</g>\n</g>\n", d->file);
     draw_bar(d, has_refused(g));

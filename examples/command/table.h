@@ -104,7 +104,7 @@ static void read_header(table *t, lines *in, const options *o)
         if (!read_line(in)) die("%s: no line names the columns", in->name);
     while (is_blank_line(in->text) || is_comment(in->text));
     trim_end(in->text);
-    t->separator = strchr(in->text, '\t') ? '\t' : strchr(in->text, ',') ? ',' : ' ';
+    t->separator = (char)(strchr(in->text, '\t') ? '\t' : strchr(in->text, ',') ? ',' : ' ');
     split_line(in, t->separator);
     find_columns(t);
     t->layout = choose_layout(t, o->surface);

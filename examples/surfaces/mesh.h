@@ -118,6 +118,8 @@ static inline int mesh__fail(mesh_error *error, int status, const char *name, si
     va_start(arguments, format);
     vsnprintf(error->text + used, sizeof error->text - used, format, arguments);
     va_end(arguments);
+    for (; error->text[used]; ++used) /* what is quoted shall not command a terminal */
+        if ((unsigned char)error->text[used] < ' ' || error->text[used] == 0x7f) error->text[used] = '?';
     return status;
 }
 
@@ -144,6 +146,8 @@ typedef struct mesh__reader {
     mesh_error *error;
 } mesh__reader;
 
+enum { MESH__LONGEST_LINE = 1 << 26 };
+
 /* The array with room for at least one more item, or NULL if there is no memory: then it is as before. */
 static inline void *mesh__grow(void *array, size_t used, size_t *room, size_t bytes)
 {
@@ -158,7 +162,8 @@ static inline void *mesh__grow(void *array, size_t used, size_t *room, size_t by
 
 static inline int mesh__no_memory(mesh_error *error, const char *name)
 {
-    return mesh__fail(error, MESH_NO_MEMORY, name, 0, "out of memory");
+    mesh__fail(error, MESH_NO_MEMORY, name, 0, "out of memory");
+    return MESH_NO_MEMORY;
 }
 
 /* A complaint about the line at hand, which quotes what stands there (cut short). */
@@ -186,6 +191,9 @@ static inline int mesh__line(mesh__reader *r, int comments, int *got)
             if (!grown) return mesh__no_memory(r->error, r->name);
             r->text = (char *)grown;
             if (c == '\n') break;
+            if (used == MESH__LONGEST_LINE)
+                return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line + 1,
+                                  "more than 64 MiB without the end of a line");
             if (c == 0)
                 return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line + 1, "a zero byte: not a text file");
             r->text[used++] = (char)c;
@@ -197,6 +205,7 @@ static inline int mesh__line(mesh__reader *r, int comments, int *got)
         }
         ++r->line;
         r->text[used] = 0;
+        if (r->line == 1 && !strncmp(r->text, "\xef\xbb\xbf", 3)) memcpy(r->text, "   ", 3); /* a byte order mark */
         if (comments) r->text[strcspn(r->text, "#")] = 0;
         if (r->text[strspn(r->text, " \t\r")]) return MESH_OK;
     }
@@ -226,7 +235,7 @@ static inline int mesh__word(char **at, const char *word)
 {
     char *from = *at + strspn(*at, " \t");
     size_t length = strlen(word);
-    if (strncmp(from, word, length) || (from[length] && !strchr(" \t\r", from[length]))) return 0;
+    if (strncmp(from, word, length) != 0 || (from[length] && !strchr(" \t\r", from[length]))) return 0;
     *at = from + length;
     return 1;
 }
@@ -370,7 +379,7 @@ static inline int mesh__read_ply(mesh__reader *r, mesh *m)
         } else if (mesh__word(&at, "element")) {
             if (elements == ELEMENTS) return mesh__malformed(r, "at most 16 kinds of elements", r->text);
             memset(&element[elements], 0, sizeof element[elements]);
-            element[elements].kind = mesh__word(&at, "vertex") ? 'v' : mesh__word(&at, "face") ? 'f' : 's';
+            element[elements].kind = (char)(mesh__word(&at, "vertex") ? 'v' : mesh__word(&at, "face") ? 'f' : 's');
             if (element[elements].kind == 's') at += strspn(at, " \t"), at += strcspn(at, " \t\r");
             if (!mesh__integer(&at, " \t\r", &element[elements].count) || element[elements].count < 0)
                 return mesh__malformed(r, "a number of elements", at);
@@ -386,7 +395,10 @@ static inline int mesh__read_ply(mesh__reader *r, mesh *m)
             type = at += strspn(at, " \t"), at += strcspn(at, " \t\r");
             if (at == type) return mesh__malformed(r, "a type and a name", type);
             if (kind == 's' && element[elements - 1].kind == 'v')
-                kind = mesh__word(&at, "x") ? 'x' : mesh__word(&at, "y") ? 'y' : mesh__word(&at, "z") ? 'z' : 's';
+                kind = (char)(mesh__word(&at, "x")   ? 'x'
+                              : mesh__word(&at, "y") ? 'y'
+                              : mesh__word(&at, "z") ? 'z'
+                                                     : 's');
             if (kind == 'l' && element[elements - 1].kind == 'f')
                 kind = mesh__word(&at, "vertex_indices") || mesh__word(&at, "vertex_index") ? 'f' : 'l';
             property[strlen(property)] = kind;
@@ -798,8 +810,8 @@ static inline double mesh__share_below(const double f[3], double level)
 {
     int below = (f[0] < level) + (f[1] < level) + (f[2] < level), k = 0;
     double share;
-    if (below == 0 || below == 3) return below / 3;
-    while ((f[k] < level) != (below == 1)) ++k; /* the one corner that is on its side alone */
+    if (below == 0 || below == 3) return below == 3;
+    while (k < 2 && (f[k] < level) != (below == 1)) ++k; /* the one corner that is on its side alone */
     share = mesh__fraction(f[k], f[(k + 1) % 3], level) * mesh__fraction(f[k], f[(k + 2) % 3], level);
     return below == 1 ? share : 1 - share;
 }
@@ -930,6 +942,7 @@ static inline void mesh__reverse(mesh_loops *loops)
     size_t k, i, j;
     int c;
     for (k = 0; k < loops->loops; ++k)
+        /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): mesh__close wrote it when it counted the loop */
         for (i = loops->start[k], j = loops->start[k + 1] - 1; i < j; ++i, --j)
             for (c = 0; c < 3; ++c) {
                 double *x = loops->corner + c, *n = loops->normal + c, swap = x[3 * i];

@@ -44,7 +44,7 @@ static const struct {
     double limit;
 } quantity[QUANTITIES] = {
     {"L", "relative", 1e-15},
-    {"S", "relative, against c", 1e-15},
+    {"S", "relative, against c", 2e-15},
     {"mu", "p <= 12, against 1 + c", 1e-14},
     {"angle", "mu_p |p theta_p - reference|, p <= 12, against 1 + c", 1e-14},
     {"area", "against half the sum of |x_i - x_0| l_i", 2e-15},

@@ -24,14 +24,23 @@ static inline int is_known(int status)
 
 static inline int all_finite(const double *x, size_t count)
 {
-    while (count-- > 0)
-        if (!isfinite(x[count])) return 0;
+    for (; count > 0; --count)
+        if (!isfinite(x[count - 1])) return 0;
     return 1;
 }
 
 static inline int same_bits(const void *a, const void *b, size_t size)
 {
     return memcmp(a, b, size) == 0;
+}
+
+/* Nothing has been written since memset(array, 0x5a, size). */
+static inline int is_untouched(const void *array, size_t size)
+{
+    const unsigned char *at = (const unsigned char *)array;
+    for (; size > 0; --size)
+        if (*at++ != 0x5a) return 0;
+    return 1;
 }
 
 #endif

@@ -167,13 +167,6 @@ static void close_answers(answers *a)
     for (k = 0; k < OUTPUTS; ++k) free(a->output[k]);
 }
 
-static int is_untouched(const unsigned char *at, size_t size)
-{
-    while (size-- > 0)
-        if (*at++ != 0x5a) return 0;
-    return 1;
-}
-
 static double *exact_copy(const double *x, size_t count)
 {
     double *copy = (double *)exactly(count * sizeof *x);
@@ -195,7 +188,7 @@ static void measure(const bundle *b, size_t first, size_t count, unsigned asked,
         a->refused = surfmink_batch_sphere(corner, offset, count, b->radius, b->max_rank, &a->out, scratch);
     else
         a->refused = surfmink_batch_embedded(corner, normal, offset, count, b->max_rank, &a->out, scratch);
-    if (scratch) CLAIM(is_untouched((unsigned char *)scratch, 2 * offset[0] * sizeof(double)));
+    if (scratch) CLAIM(is_untouched(scratch, 2 * offset[0] * sizeof(double)));
     free(corner);
     free(normal);
     free(scratch);
@@ -335,10 +328,40 @@ static void claim_backwards(const bundle *b, const answers *all, unsigned asked)
     other.kind = b->kind;
     other.max_rank = b->max_rank;
     other.radius = b->radius;
-    for (i = b->count; i-- > 0;) copy_outline(&other, b, i);
+    for (i = b->count; i > 0; --i) copy_outline(&other, b, i - 1);
     measure(&other, 0, other.count, asked, 0, &a);
     CLAIM(a.refused == all->refused);
     for (i = 0; i < b->count; ++i) claim_same(&a, b->count - 1 - i, all, i);
+    close_answers(&a);
+}
+
+/* In another unit, a power of two, all outlines of sane numbers are the same to the last bit. */
+static int is_sane(const double *x, size_t count)
+{
+    for (; count > 0; --count, ++x)
+        if (!(fabs(*x) < 0x1p40) || (*x != 0 && !(fabs(*x) > 0x1p-60))) return 0;
+    return 1;
+}
+
+static void claim_scaled(const bundle *b, const answers *all)
+{
+    static bundle other;
+    const double unit = b->kind == SPHERE ? 1 : 0x1p30;
+    size_t i, k, dim = dim_of(b);
+    answers a;
+    other = *b;
+    for (i = 0; i < dim * b->offset[b->count]; ++i) other.corner[i] *= 0x1p30;
+    measure(&other, 0, other.count, EVERYTHING, 0, &a);
+    for (i = 0; i < b->count; ++i) {
+        if (!is_sane(b->corner + dim * b->offset[i], dim * corners_of(b, i))) continue;
+        if (!is_sane(b->normal + 3 * b->offset[i], 3 * corners_of(b, i))) continue;
+        CLAIM(a.out.status[i] == all->out.status[i]);
+        if (a.out.status[i] != SURFMINK_OK) continue;
+        CLAIM(a.out.length[i] == unit * all->out.length[i] && a.out.turning[i] == all->out.turning[i]);
+        CLAIM(a.out.area[i] == unit * unit * all->out.area[i]);
+        for (k = MU; k < OUTPUTS; ++k)
+            if (k != G) CLAIM(same_bits(a.output[k] + a.width[k] * i, all->output[k] + a.width[k] * i, a.width[k]));
+    }
     close_answers(&a);
 }
 
@@ -352,5 +375,6 @@ static void fuzz(bytes in)
     claim_single(&b, &all);
     claim_alone(&b, &all, asked % 2);
     claim_backwards(&b, &all, asked);
+    if (all.out.mu) claim_scaled(&b, &all);
     close_answers(&all);
 }

@@ -4,14 +4,18 @@
 
 static void lonlat(bytes *in)
 {
-    double point[3] = {-7, -7, -7}, lon = take_number(in), lat = take_number(in), radius = take_number(in), norm;
-    int status = surfmink_from_lonlat(lon, lat, radius, point);
+    double point[3] = {-7, -7, -7}, scaled[3], lon = take_number(in), lat = take_number(in), radius = take_number(in),
+           norm;
+    int status = surfmink_from_lonlat(lon, lat, radius, point), k;
     CLAIM(is_known(status));
     if (status != SURFMINK_OK) {
         CLAIM(point[0] == -7 && point[1] == -7 && point[2] == -7);
         return;
     }
     if (!(radius > 1e-100 && radius < 1e100)) return;
+    CLAIM(surfmink_from_lonlat(lon, lat, 0x1p20 * radius, scaled) == SURFMINK_OK);
+    for (k = 0; k < 3; ++k) CLAIM(scaled[k] == 0x1p20 * point[k] || fabs(point[k]) < 1e-300);
+    CLAIM(surfmink_from_lonlat(lon, -lat, radius, scaled) == SURFMINK_OK && scaled[2] == -point[2]);
     norm = sqrt(point[0] * point[0] + point[1] * point[1] + point[2] * point[2]);
     CLAIM(fabs(norm / radius - 1) < 1e-15);
 }
@@ -43,6 +47,20 @@ static void repairs(bytes *in)
     CLAIM(surfmink_merge(copy, NULL, left, stride) == left);
 }
 
+/* Smoothing does not care where an outline begins, which way it runs, or in which unit it is. */
+static void smoothing(bytes *in)
+{
+    double corner[2 * CORNERS], other[2 * CORNERS];
+    size_t n = take(in) % (CORNERS + 1), by = take(in), passes = take(in) % 4, i;
+    for (i = 0; i < 2 * n; ++i) corner[i] = take_number(in);
+    for (i = 0; i < 2 * n; ++i)
+        if (!(fabs(corner[i]) < 1e100) || (corner[i] != 0 && !(fabs(corner[i]) > 1e-100))) return;
+    for (i = 0; i < 2 * n; ++i) other[i] = 0x1p20 * corner[(i + 2 * by) % (2 * n)];
+    surfmink_smooth(corner, n, 2, passes);
+    surfmink_smooth(other, n, 2, passes);
+    for (i = 0; i < 2 * n; ++i) CLAIM(other[i] == 0x1p20 * corner[(i + 2 * by) % (2 * n)]);
+}
+
 /* Regular polygons are regular, edges lead to their ends. */
 static void builders(bytes *in)
 {
@@ -65,8 +83,14 @@ static void builders(bytes *in)
         status = surfmink_measure_sphere(corner, n, radius, (int)n, mu, NULL, NULL, NULL);
         CLAIM(status == SURFMINK_NOT_FINITE || (status == SURFMINK_OK && fabs(mu[n] - 1) < 1e-6));
     }
-    status = surfmink_edge_points(&sphere, corner, centre, n, corner);
+    if (status != SURFMINK_OK) return;
+    memset(untouched, 0x5a, sizeof untouched);
+    status = surfmink_edge_points(&sphere, corner, centre, n, untouched);
     CLAIM(is_known(status));
+    if (status != SURFMINK_OK)
+        CLAIM(is_untouched(untouched, sizeof untouched));
+    else
+        CLAIM(all_finite(untouched, 3 * n) && is_untouched(untouched + 3 * n, (CORNERS - n) * 3 * sizeof *corner));
 }
 
 static void fuzz(bytes in)
@@ -76,5 +100,6 @@ static void fuzz(bytes in)
     CLAIM(is_known(status) == (*surfmink_status_name(status) != '\0'));
     lonlat(&in);
     repairs(&in);
+    smoothing(&in);
     builders(&in);
 }

@@ -192,7 +192,73 @@ static void claim_scaled(const outline *o, const measured *a, double by)
     if (a->status == SURFMINK_OK) CLAIM(same_bits(a->mu, b.mu, sizeof a->mu));
 }
 
-static void claim_invariants(const outline *o)
+/* --- turned by any angle, to rounding ----------------------------------------------------------------------------- */
+
+static void turn_numbers(double *x, size_t n, size_t dim, double angle)
+{
+    double c = cos(angle), s = sin(angle), kept;
+    for (; n > 0; --n, x += dim) {
+        kept = x[0];
+        x[0] = c * kept - s * x[1];
+        x[1] = s * kept + c * x[1];
+    }
+}
+
+static double size_of(const double *x, size_t dim)
+{
+    double sum = 0;
+    for (; dim > 0; --dim) sum += x[dim - 1] * x[dim - 1];
+    return sqrt(sum);
+}
+
+/* How far rounded coordinates may turn an edge, in radians; large if that says little about how far it turns in the
+   tangent plane. */
+static double rounding(const outline *o, const measured *m)
+{
+    double x[3], most = 0, worst = 0, least = HUGE_VAL, off, upright;
+    size_t i, k, at, dim = dim_of(o), next;
+    for (i = 0; i < o->n; ++i) {
+        off = size_of(o->corner + dim * i, dim);
+        if (off > most) most = off;
+        if (m->length[i] < least) least = m->length[i];
+        if (o->kind == SPHERE && !(m->length[i] < 3 * o->radius)) return 1;
+        if (!(fabs(m->turning[i]) < 3.14)) return 1;
+        next = (i + 1) % o->n;
+        for (at = i; o->kind == EMBEDDED; at = next) {
+            upright = 0;
+            for (k = 0; k < 3; ++k) {
+                x[k] = o->corner[3 * next + k] - o->corner[3 * i + k];
+                upright += x[k] * o->normal[3 * at + k];
+            }
+            upright = fabs(upright) / (size_of(x, 3) * size_of(o->normal + 3 * at, 3));
+            if (upright > worst) worst = upright;
+            if (at == next) break;
+        }
+    }
+    if (!(worst < 0.99)) return 1;
+    return 4 * DBL_EPSILON * (o->kind == SPHERE ? o->radius / least : most / least) / (1 - worst);
+}
+
+static void claim_turned(const outline *o, const measured *m, double angle)
+{
+    outline other = *o;
+    measured b;
+    double c, loose, off;
+    int p;
+    if (m->status != SURFMINK_OK) return;
+    c = m->w.condition + fabs(m->w.curvature) / m->w.turning;
+    off = rounding(o, m) * (double)o->n;
+    loose = (1e-13 + 20 * RANK * off) * (1 + c) * (1 + c);
+    if (!(loose < 0.01)) return;
+    turn_numbers(other.corner, o->n, dim_of(o), angle);
+    turn_numbers(other.normal, o->n, 3, angle);
+    CLAIM(measure_twice(&other, &b) && b.status == SURFMINK_OK);
+    CLAIM(fabs(m->w.length - b.w.length) <= (1e-14 + off) * m->w.length);
+    CLAIM(fabs(m->w.turning - b.w.turning) <= (1e-14 * m->w.turning + 20 * off) * (1 + c));
+    for (p = 0; p <= RANK; ++p) CLAIM(fabs(m->mu[p] - b.mu[p]) <= loose);
+}
+
+static inline void claim_invariants(const outline *o)
 {
     outline other;
     measured m, b;
@@ -212,6 +278,9 @@ static void claim_invariants(const outline *o)
     rotate(&other);
     measure_twice(&other, &b);
     claim_alike(&m, &b);
+
+    claim_turned(o, &m, 1);
+    claim_turned(o, &m, 2.5 + (double)o->n);
 
     other = *o;
     backwards(&other);

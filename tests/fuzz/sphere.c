@@ -39,10 +39,13 @@ static void as_callbacks(outline *o)
     surfmink_surface sphere = surfmink_sphere(&o->radius);
     double mu[RANK + 1], scratch[2 * CORNERS], loose;
     measured m;
+    size_t i;
     int status, p;
     status = surfmink_measure_surface(&sphere, o->corner, o->n, scratch, RANK, mu, NULL, NULL, &m.bad);
     CLAIM(is_known(status));
     if (!(o->radius > 1e-290 && o->radius < 1e290)) return; /* lengths under- or overflow */
+    for (i = 0; i < o->n && measure_edges(o, &m) == SURFMINK_OK; ++i)
+        if (!(m.length[i] > DBL_MIN)) return; /* so it is for a single one */
     if (!measure_twice(o, &m) || m.status != SURFMINK_OK || has_spike(o, &m) || m.w.condition > 1e5) return;
     CLAIM(status == SURFMINK_OK);
     loose = 1 + m.w.condition + fabs(m.w.curvature) / m.w.turning; /* 1 + c, c as in ACCURACY */

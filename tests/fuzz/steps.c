@@ -20,7 +20,7 @@ static void totals(void)
 static void phases_and_transport(bytes *in)
 {
     double phase[CORNERS], aliased[CORNERS], carried = -7, angle = take_number(in);
-    size_t from = take(in) % (CORNERS + 2), i;
+    size_t from = take(in) % (CORNERS + 2);
     int how = (int)(take(in) % 5) - 1, status, k;
     memset(phase, 0x5a, sizeof phase);
     memcpy(aliased, turning, sizeof aliased);
@@ -31,7 +31,7 @@ static void phases_and_transport(bytes *in)
         CLAIM(same_bits(aliased, phase, n * sizeof *phase) && phase[0] == 0);
     else
         CLAIM(same_bits(aliased, turning, sizeof turning));
-    for (i = 0; i < CORNERS && status != SURFMINK_OK; ++i) CLAIM(((unsigned char *)phase)[8 * i] == 0x5a);
+    if (status != SURFMINK_OK) CLAIM(is_untouched(phase, sizeof phase));
     k = surfmink_transport_angle(turning, n, from, (ptrdiff_t)take(in) - 128, how, angle, &carried);
     CLAIM(is_known(k));
     if (k != SURFMINK_OK)
@@ -41,6 +41,62 @@ static void phases_and_transport(bytes *in)
     if (k != SURFMINK_OK || how != SURFMINK_CORRECTED || !(turned < 1e4) || fabs(angle) > 100) return;
     CLAIM(surfmink_transport_angle(turning, n, from, (ptrdiff_t)n, how, 0, &carried) == SURFMINK_OK);
     CLAIM(fabs(carried + 6.283185307179586) < 1e-14);
+}
+
+/* By how much errors of single angles may be amplified, as in ACCURACY; 0 if the outline is refused. */
+static double amplification(void)
+{
+    surfmink_functionals w;
+    if (surfmink_total(length, turning, n, &w) != SURFMINK_OK || !(w.length < 1e300 && w.length > 1e-290)) return 0;
+    return w.condition + fabs(w.curvature) / w.turning;
+}
+
+static int measure_steps(const double *l, const double *alpha, double *components, double *mu)
+{
+    double phase[CORNERS];
+    return surfmink_phases(alpha, n, SURFMINK_CORRECTED, phase) ||
+           surfmink_irreducible(l, phase, n, RANK, components) || surfmink_spectrum(components, RANK, NULL, mu, NULL);
+}
+
+/* The same outline from another corner on, and in another unit. */
+static void invariants(bytes *in)
+{
+    double l[CORNERS], alpha[CORNERS], mu[RANK + 1], other[RANK + 1], again[2 * RANK + 2], least = HUGE_VAL;
+    double c = amplification(), loose = 1e-13 * (1 + c) * (1 + c);
+    size_t by = take(in), i;
+    surfmink_functionals w, v;
+    int p;
+    if (c == 0 || !(loose < 0.1)) return;
+    for (i = 0; i < n; ++i) {
+        l[i] = length[(i + by) % n];
+        alpha[i] = turning[(i + by) % n];
+        if (length[i] > 0 && !(length[i] >= least)) least = length[i];
+    }
+    CLAIM(measure_steps(length, turning, g, mu) == SURFMINK_OK && measure_steps(l, alpha, again, other) == SURFMINK_OK);
+    for (p = 0; p <= RANK; ++p) {
+        CLAIM(mu[p] >= 0 && mu[p] <= 1 + 4 * DBL_EPSILON);
+        CLAIM(fabs(mu[p] - other[p]) <= loose);
+    }
+    CLAIM(surfmink_total(length, turning, n, &w) == SURFMINK_OK && surfmink_total(l, alpha, n, &v) == SURFMINK_OK);
+    CLAIM(fabs(w.length - v.length) <= 1e-15 * w.length && fabs(w.turning - v.turning) <= 1e-15 * c * w.turning);
+    if (!(least > 1e-100 && w.length < 1e100)) return;
+    for (i = 0; i < n; ++i) l[i] = 0x1p70 * length[i];
+    CLAIM(measure_steps(l, turning, again, other) == SURFMINK_OK && same_bits(mu, other, sizeof mu));
+    for (i = 0; i < 2 * RANK + 2; ++i) CLAIM(again[i] == 0x1p70 * g[i] || fabs(again[i]) < 1e-270);
+}
+
+/* In reverse S is -S: an outline that can be measured is clockwise then. */
+static void reversed(void)
+{
+    double l[CORNERS], alpha[CORNERS];
+    surfmink_functionals w;
+    size_t i;
+    if (amplification() == 0) return;
+    for (i = 0; i < n; ++i) {
+        l[i] = length[n - 1 - i];
+        alpha[i] = -turning[n - 1 - i];
+    }
+    CLAIM(surfmink_total(l, alpha, n, &w) == SURFMINK_CLOCKWISE);
 }
 
 static void components(bytes *in)
@@ -53,11 +109,12 @@ static void components(bytes *in)
     status = surfmink_irreducible(length, turning, n, rank, g);
     CLAIM(is_known(status));
     for (i = 0; i < n; ++i) sum += length[i];
-    if (status != SURFMINK_OK) CLAIM(same_bits(g, again, sizeof g));
+    if (status != SURFMINK_OK) CLAIM(is_untouched(g, sizeof g));
     for (p = 0; p <= rank && status == SURFMINK_OK && sum < 1e300; ++p)
         CLAIM(hypot(g[2 * p], g[2 * p + 1]) <= sum * (1 + 1e-13) + 1e-300);
     status = surfmink_irreducible_parallel(length, turning, n, edge, fraction, rank, again);
     CLAIM(is_known(status));
+    if (status != SURFMINK_OK) CLAIM(is_untouched(again, sizeof again));
     if (status != SURFMINK_OK || !(sum < 1e300 && turned < 1e4)) return;
     CLAIM(edge < n && rank >= 0);
     for (p = 0; p <= rank; ++p) CLAIM(hypot(again[2 * p], again[2 * p + 1]) <= sum * (1 + 1e-13) + 1e-300);
@@ -73,10 +130,13 @@ static void tensors(bytes *in)
     int p = (int)(take(in) % (RANK + 2)) - 1, status, j;
     vector[0] = take_number(in);
     vector[1] = take_number(in);
+    memset(tensor, 0x5a, sizeof tensor);
     status = surfmink_tensor(g, p, tensor);
     CLAIM(status == (p < 0 ? SURFMINK_BAD_ARGUMENT : SURFMINK_OK));
+    if (p < 0) CLAIM(is_untouched(tensor, sizeof tensor));
     status = surfmink_trace_free(g, p, tensor);
     CLAIM(status == (p < 0 ? SURFMINK_BAD_ARGUMENT : SURFMINK_OK));
+    if (p < 0) CLAIM(is_untouched(tensor, sizeof tensor));
     for (j = 0; j + 2 <= p && fabs(g[2 * p]) < 1e300 && fabs(g[2 * p + 1]) < 1e300; ++j) {
         trace = tensor[j] + tensor[j + 2]; /* contracting two indices: nu nu + tau tau */
         CLAIM(trace == 0);
@@ -100,17 +160,24 @@ static void spectra(bytes *in)
     memset(theta, 0x5a, sizeof theta);
     status = surfmink_spectrum(g, rank, lambda, mu, theta);
     CLAIM(is_known(status));
-    if (status != SURFMINK_OK) CLAIM(same_bits(lambda, mu, sizeof mu) && same_bits(mu, theta, sizeof mu));
+    if (status != SURFMINK_OK)
+        CLAIM(is_untouched(lambda, sizeof mu) && is_untouched(mu, sizeof mu) && is_untouched(theta, sizeof mu));
     for (p = 1; p <= rank && status == SURFMINK_OK; ++p)
         CLAIM(lambda[p] >= 0 && mu[p] >= 0 && fabs(theta[p]) <= 3.1415926535897936 / p &&
               theta[p] > -3.1415926535897936 / p);
     for (k = 0; k < 6; ++k) frame[k] = take_number(in);
     phase = take_number(in);
     for (p = -1; p <= RANK; ++p) {
+        memset(angles, 0x5a, sizeof angles);
+        memset(vector, 0x5a, sizeof vector);
         status = surfmink_angles(g, p, sign, angles);
         CLAIM(is_known(status) && (p > 0 || status == SURFMINK_BAD_ARGUMENT));
+        if (status != SURFMINK_OK) CLAIM(is_untouched(angles, sizeof angles));
+        for (k = 1; k < p && status == SURFMINK_OK; ++k)
+            CLAIM(fabs(angles[k] - angles[0] - k * 6.283185307179586 / p) < 1e-14);
         status = surfmink_eigenvectors(g, p, sign, phase, frame, dim, vector);
         CLAIM(is_known(status) && ((p > 0 && (dim == 2 || dim == 3)) || status == SURFMINK_BAD_ARGUMENT));
+        if (status != SURFMINK_OK) CLAIM(is_untouched(vector, sizeof vector));
     }
 }
 
@@ -128,6 +195,8 @@ static void fuzz(bytes in)
     totals();
     phases_and_transport(&in);
     components(&in);
+    invariants(&in);
+    reversed();
     tensors(&in);
     spectra(&in);
 }
