@@ -7,7 +7,8 @@ Changes one operator, constant, index, condition or statement of the implementat
 runs the tests until one fails. A mutant that all pass has survived: a test is missing, or it means the same and belongs
 into tests/mutants.equivalent with a reason. Works in DIRECTORY; prints survivors as it finds them, then a table of the
 functions, and last `N killed, N survived, N equivalent, N not compiled`. Exit status 1 if less than 97 % of those that
-compile and are not equivalent are killed, or if tests/mutants.equivalent lists what is none.
+compile and are not equivalent are killed (of a sample: less than chance allows for), or if tests/mutants.equivalent
+lists what is none.
 
 Only the implementation is compiled for each mutant, by tcc, into a library that the tests, compiled once, are run with.
 What that leaves alive in the kernels, and what only vectors use, is compiled for SSE2 and runs the tests of batches;
@@ -15,8 +16,9 @@ what only AVX2 and AVX-512 use is compiled for those. What is still alive is run
 number has changed: writing past an array is no wrong result, but a fault. A theorem is asked only if it runs the line
 that was changed, and those first that have killed in the same function. What became of a mutant is remembered in
 DIRECTORY by the text of its function and of the theorems, so that after an edit only what it touches is done again;
---again repeats survivors only, --quick leaves out the sanitizers and slow theorems. Lines for other processors are not mutated:
-tests/check.sh runs the tests on arm64. Needs tcc, gcc, addr2line and x86-64 with AVX-512; uses clang if there is one.
+--again repeats survivors only, --quick leaves out the sanitizers and slow theorems. Lines for other processors are not
+mutated: tests/check.sh runs the tests on arm64. Needs tcc, gcc, addr2line and x86-64 with AVX-512; uses clang if there
+is one.
 """
 
 import argparse, concurrent.futures, hashlib, json, os, random, re, resource, shutil, signal, subprocess, sys
@@ -51,7 +53,7 @@ def tokens(text):
 def is_value(found, k):
     """Does an expression end at token k, so that what follows is a binary operator?"""
     before = found[k][1] if k >= 0 else ''
-    if before == ')' and found[k - 1][1] in KERNEL_TYPES and found[k - 2][1] == '(': return False # a type of the kernels
+    if before == ')' and found[k - 1][1] in KERNEL_TYPES and found[k - 2][1] == '(': return False # a type
     return bool(re.match(r'[\w)\]]', before[-1:])) and before not in TYPES + ('case',)
 
 
@@ -149,7 +151,7 @@ class Header:
             line, column = self.lines[number], at - self.starts[number]
             macro = MACRO.match(line)
             if macro and column < macro.end(): continue
-            if not macro and not line.startswith('    ') and not re.match('static const double surfmink__', line): continue
+            if not macro and not re.match('    |static const double surfmink__', line): continue
             if re.match(r'\s+(const )?(double|int|size_t|void|surfmink__real) [^=()]*;', line): continue # a declaration
             if re.match(r'\s+(const )?\w+ [^=]*\)?,$', line) and '(' not in line: continue # parameters
             if number in heads or any(a < column + 1 <= b for a, b in self.sizes(line)): continue
@@ -158,7 +160,8 @@ class Header:
         for number in range(self.first + 1, self.last):
             line, at = self.lines[number], self.starts[number]
             if self.where[number] is None or not line.startswith('    '): continue
-            statement = re.match(r'(\s+)((?:\*?[\w\[\].>-]+(?: [-+*/]?= |\().*|SURFMINK__\(\w+\)\(.*|\+\+.*|--.*);)', line)
+            statement = re.match(r'(\s+)((?:\*?[\w\[\].>-]+(?: [-+*/]?= |\().*|SURFMINK__\(\w+\)\(.*|\+\+.*|--.*);)',
+                                 line)
             if statement and not re.match(r'\s+(return|const|double|int|size_t|case|if|for|while)\b', line):
                 yield Mutant(number, at + len(statement.group(1)), statement.group(2), ';')
             condition = re.match(r'(\s+(?:} )?(?:else )?if )\((.*)\)( (?:return|continue|\{|\w.*;).*|)$', line)
@@ -354,7 +357,8 @@ class Judge:
         text = '#define SURFMINK__PLAIN 0\n#define SURFMINK__SSE2 1\n#define SURFMINK__AVX2 2\n' \
                '#define SURFMINK__AVX512 3\n#define SURFMINK__NEON 4\n#define SURFMINK__NATIVE 0\n'
         for what in wanted: text += re.search(what, self.header.text, re.S).group() + '\n'
-        for what in r'surfmink__job surfmink__job_of\(.*?\)', r'size_t surfmink__batch\(.*?\)', r'surfmink__measure_window \*surfmink__choose\(void\)':
+        for what in (r'surfmink__job surfmink__job_of\(.*?\)', r'size_t surfmink__batch\(.*?\)',
+                     r'surfmink__measure_window \*surfmink__choose\(void\)'):
             text += re.search(r'static (%s)\n\{' % what, self.header.text, re.S).group(1) + ';\n'
         return text + 'surfmink__measure_window surfmink__window;\n'
 
@@ -368,7 +372,8 @@ class Judge:
         """The implementation as a shared library, the header taken from `place`; for AVX the test as a whole."""
         command = STAGES[stage][0] + FLAGS + ['-I' + place, '-I' + self.tree]
         if stage == 'avx':
-            return not run(command + [self.source(BATCHES + '.whole'), '-o', os.path.join(place, BATCHES), '-lm'], place)[0]
+            command += [self.source(BATCHES + '.whole'), '-o', os.path.join(place, BATCHES), '-lm']
+            return not run(command, place)[0]
         return not run(command + ['-shared', os.path.join(place, 'library.c'), '-o',
                                   os.path.join(place, 'libsurfmink.so'), '-lm'], place)[0]
 
@@ -386,7 +391,7 @@ class Judge:
                     command = compiler + FLAGS + ['-I' + self.tree, self.source(test), '-o', self.programs[stage, test],
                                                   '-L' + self.unmutated, '-lsurfmink', '-lm']
                     if run(command, self.work)[0]: sys.exit('mutants.py: %s does not compile' % test)
-            key = digest(self.header.text + self.common + str(self.hash) + str(compiler) + str(STAGES[stage]))
+            key = digest(self.header.text + self.common + str((self.hash, compiler, STAGES[stage], self.few)))
             path = os.path.join(self.work, 'times.%s.json' % key)
             if not os.path.exists(path): self.write(path, json.dumps(self.time_theorems(stage, tests)))
             seconds, needs = json.load(open(path))
@@ -399,6 +404,7 @@ class Judge:
         seconds, needs = {}, {}
         for test in tests:
             status, said = self.ask(stage, test, None, self.unmutated)
+            if status < 0 and self.few: continue # it takes too long
             if status:
                 print('left out, for it fails without mutants: %s (%s)' % (test, stage), flush=True)
                 continue
@@ -406,7 +412,7 @@ class Judge:
             for theorem, time_taken in re.findall(r'> (\w+)\n(?:[^<>].*\n)*?< ([\d.]+)', said):
                 name = '%s:%s' % (test, theorem)
                 self.seconds[stage, name] = seconds[name] = seconds.get(name, 0) + float(time_taken)
-                if stage == 'plain' and not self.stands_alone(test, name): needs[name] = before[:]
+                if stage == 'plain' and (self.few or not self.stands_alone(test, name)): needs[name] = before[:]
                 before.append(name)
         return seconds, needs
 
@@ -421,7 +427,7 @@ class Judge:
         program = os.path.join(place, BATCHES) if stage == 'avx' else self.programs[stage, test]
         more = {'LD_LIBRARY_PATH': place, 'ASAN_OPTIONS': 'detect_leaks=0'}
         if stage == 'avx': more['MUTANTS_ALL'] = '1'
-        if theorems is None: return run([program], self.tree, 300, **more)
+        if theorems is None: return run([program], self.tree, 8 if self.few and stage != 'avx' else 300, **more)
         theorems = [t for needed in theorems for t in self.needs.get(needed, []) + [needed]]
         more['MUTANTS_ONLY'] = ' %s ' % ' '.join(t.split(':')[1] for t in theorems)
         return run([program], self.tree, 0.3 + 4 * sum(self.seconds.get((stage, t), 0) for t in theorems), **more)
@@ -437,7 +443,8 @@ class Judge:
         os.makedirs(place, exist_ok=True)
         library, cover = os.path.join(place, 'library.o'), os.path.join(place, 'cover.o')
         run(['gcc', '-w', '-O0', '-g', '-fgnu89-inline', '-fno-pie', '-fsanitize-coverage=trace-pc', '-std=c99',
-             '-DSURFMINK_NO_SIMD', '-I' + self.tree, '-c', os.path.join(self.unmutated, 'library.c'), '-o', library], place)
+             '-DSURFMINK_NO_SIMD', '-I' + self.tree, '-c', os.path.join(self.unmutated, 'library.c'), '-o',
+             library], place)
         run(['gcc', '-O2', '-fno-pie', '-c', os.path.join(self.tree, 'cover.c'), '-o', cover], place)
         for test in self.tests:
             program, log = os.path.join(place, test), os.path.join(place, test + '.log')
@@ -458,8 +465,8 @@ class Judge:
         self.write(path, json.dumps(self.covered))
 
     def candidates(self, m, stage, known):
-        """Groups of theorems that run the block, each group of one test: those that have killed in the same function one
-        by one, then the rest, quick ones first."""
+        """Groups of theorems that run the block, each group of one test: those that have killed in the same function
+        one by one, then the rest, quick ones first."""
         theorems = [t for s, t in list(self.seconds) if s == stage]
         if self.covered: theorems = [t for t in theorems if t in self.covering]
         if stage == 'strict': theorems = [t for t in theorems if self.seconds['plain', t] < 0.3]
@@ -590,7 +597,9 @@ def main():
     if whole: wrong += ['%s (no such mutant)' % said for said in reasons if said not in used]
     for said in wrong: print('tests/mutants.equivalent: is none: %s' % said)
     print('%(killed)d killed, %(survived)d survived, %(equivalent)d equivalent, %(not compiled)d not compiled' % count)
-    return bool(wrong) or count['killed'] < GOAL * (count['killed'] + count['survived'])
+    judged = count['killed'] + count['survived']
+    chance = 2 * (judged * GOAL * (1 - GOAL)) ** 0.5 if options.sample else 0 # what a sample may be off by
+    return bool(wrong) or count['killed'] < GOAL * judged - chance
 
 
 if __name__ == '__main__':
