@@ -603,9 +603,12 @@ static double surfmink__value(const surfmink__sum *sum)
 static double surfmink__scale(double m)
 {
     double scale = 1;
-    int k; /* not for ever, where -ffast-math lets an infinity through */
-    for (k = 0; k < 6 && m * scale > 1.2676506002282294e30; ++k) scale *= 6.2230152778611417e-61; /* 2^100, 2^-200 */
-    for (k = 0; k < 6 && m * scale < 7.8886090522101181e-31; ++k) scale *= 1.6069380442589903e60; /* 2^-100, 2^200 */
+    int k;
+    if (m >= 7.8886090522101181e-31 && m <= 1.2676506002282294e30) return 1; /* 2^-100, 2^100 */
+    for (k = 0; k < 5; ++k) {
+        if (m * scale > 1.2676506002282294e30) scale *= 6.2230152778611417e-61; /* 2^-200 */
+        if (m * scale < 7.8886090522101181e-31) scale *= 1.6069380442589903e60; /* 2^200 */
+    }
     return scale;
 }
 
@@ -1385,7 +1388,8 @@ SURFMINK__KERNEL void SURFMINK__(judge)(const surfmink__job *job, SURFMINK__(tot
         fine = fine & SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(1e-3), SURFMINK__LOAD(t->sum[SURFMINK__TURNS] + lane),
                                                    SURFMINK__SET(0.5)),
                                      known);
-        fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->widest + lane), SURFMINK__SET(2.0) * known);
+        if (job->kind != SURFMINK__PLANE) /* there whole turns are counted, which rounding does not reach */
+            fine = fine & SURFMINK__LESS(SURFMINK__LOAD(t->widest + lane), SURFMINK__SET(2.0) * known);
         fine = fine & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
         area = SURFMINK__LOAD(t->sum[SURFMINK__AREA] + lane);
         if (job->kind == SURFMINK__SPHERE) fine = fine & SURFMINK__LESS(SURFMINK__SET(0.0), area);
@@ -1683,7 +1687,7 @@ SURFMINK__KERNEL void SURFMINK__(window)(const surfmink__job *job, size_t first,
     }
     g.strips = 0;
     for (i = 0; i < fitting; i += SURFMINK__LANES) {
-        g.used = fitting - i < SURFMINK__LANES ? fitting - i : SURFMINK__LANES;
+        g.used = fitting - i > SURFMINK__LANES ? SURFMINK__LANES : fitting - i;
         for (lane = 0; lane < SURFMINK__LANES; ++lane) {
             n = order[i + (lane < g.used ? lane : 0)];
             g.outline[lane] = first + n;
@@ -2128,19 +2132,18 @@ static int surfmink__arc(const surfmink__outline *o, size_t i, double *angle)
 /* Is there something wrong with a corner, whatever its neighbours? */
 static int surfmink__check_corner(const surfmink__outline *o, size_t i)
 {
-    switch (o->kind) {
-    case SURFMINK__PLANE: return surfmink__finite(o->corner + 2 * i, 2) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
-    case SURFMINK__SPHERE:
-        if (!surfmink__finite(o->corner + 3 * i, 3)) return SURFMINK_NOT_FINITE;
-        return surfmink__max_abs(o->corner + 3 * i, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
-    case SURFMINK__EMBEDDED:
-        if (!surfmink__finite(o->corner + 3 * i, 3) || !surfmink__finite(o->normal + 3 * i, 3))
-            return SURFMINK_NOT_FINITE;
-        return surfmink__max_abs(o->normal + 3 * i, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
-    case SURFMINK__MEASURED: break;
+    size_t dim = (size_t)o->dim;
+    const double *corner, *normal;
+    if (o->kind == SURFMINK__MEASURED) {
+        if (!surfmink__finite(o->length + i, 1) || !surfmink__finite(o->turning + i, 1)) return SURFMINK_NOT_FINITE;
+        return o->length[i] >= 0 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
     }
-    if (!surfmink__finite(o->length + i, 1) || !surfmink__finite(o->turning + i, 1)) return SURFMINK_NOT_FINITE;
-    return o->length[i] >= 0 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
+    corner = o->corner + dim * i;
+    if (!surfmink__finite(corner, dim)) return SURFMINK_NOT_FINITE;
+    if (o->kind == SURFMINK__PLANE) return SURFMINK_OK;
+    normal = o->kind == SURFMINK__SPHERE ? corner : o->normal + 3 * i;
+    if (!surfmink__finite(normal, 3)) return SURFMINK_NOT_FINITE;
+    return surfmink__max_abs(normal, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
 }
 
 /* Does the edge from x to y run along the normal at corner i, so that it has no direction in the tangent plane? 1e-6 rad,
@@ -2152,10 +2155,10 @@ static int surfmink__upright(const surfmink__outline *o, size_t i, const double 
     size_t k;
     surfmink__sub(y, x, 3, edge);
     surfmink__axis(o, i, n);
-    size = surfmink__shrink(edge, 3, e) > 0 ? surfmink__dot(e, e) : 0;
+    surfmink__shrink(edge, 3, e);
     for (k = 0; k < 3; ++k) axis[k] = n[k].high;
     along = surfmink__dot(e, axis);
-    if (2 * along * along < size * surfmink__dot(axis, axis)) return 0; /* not even steep */
+    if (2 * along * along < surfmink__dot(e, e) * surfmink__dot(axis, axis)) return 0; /* not even steep */
     size = surfmink__norm(edge, 3) * surfmink__seen(n, x, y, seen) * surfmink__fine_norm(n);
     return !(surfmink__fine_norm(seen) > 1e-6 * size);
 }
@@ -2204,7 +2207,7 @@ static void surfmink__measure_corner(const surfmink__outline *o, size_t i, doubl
     if (o->kind == SURFMINK__MEASURED) {
         *length = o->length[i];
         *turning = o->turning[i];
-        if (turn) turn[0] = turn[1] = surfmink__fine(0, 0);
+        turn[0] = turn[1] = surfmink__fine(0, 0);
         return;
     }
     if (o->kind == SURFMINK__SPHERE) {
@@ -3202,13 +3205,16 @@ static size_t surfmink__batch(surfmink__job *job, size_t count, surfmink__measur
     return refused;
 }
 
-/* The instance of the kernels for the machine at hand. */
-static surfmink__measure_window *surfmink__choose(void)
+/* The instance of the kernels for a processor that has AVX-512, or AVX2 with FMA; without SURFMINK_DISPATCH the one
+   that the compiler has been told. */
+static surfmink__measure_window *surfmink__instance(int avx512, int avx2)
 {
 #ifdef SURFMINK__DISPATCHES
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) return surfmink__window_avx512;
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return surfmink__window_avx2;
+    if (avx512) return surfmink__window_avx512;
+    if (avx2) return surfmink__window_avx2;
 #endif
+    (void)avx512;
+    (void)avx2;
 #if SURFMINK__NATIVE == SURFMINK__AVX512
     return surfmink__window_avx512;
 #elif SURFMINK__NATIVE == SURFMINK__AVX2
@@ -3220,6 +3226,16 @@ static surfmink__measure_window *surfmink__choose(void)
 #else
     return surfmink__window;
 #endif
+}
+
+static surfmink__measure_window *surfmink__choose(void)
+{
+    int avx512 = 0, avx2 = 0;
+#ifdef SURFMINK__DISPATCHES
+    avx512 = (__builtin_cpu_supports("avx512f") != 0) & (__builtin_cpu_supports("avx512dq") != 0);
+    avx2 = (__builtin_cpu_supports("avx2") != 0) & (__builtin_cpu_supports("fma") != 0);
+#endif
+    return surfmink__instance(avx512, avx2);
 }
 
 SURFMINK_DEF size_t surfmink_batch_plane(const double *corner, const size_t *offset, size_t count, int max_rank,

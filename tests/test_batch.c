@@ -1549,7 +1549,137 @@ THEOREM(the_sphere_is_an_embedded_surface_up_to_lengths)
     }
 }
 
+/* --- what the kernels measure themselves -------------------------------------------------------------------------- */
+
+/* The corner-by-corner path would make up for kernels that decline: slower, but right. */
+static void check_kernels_take(const bundle *b, size_t first)
+{
+    surfmink__measure_window *window = instance_of[on_trial].window ? instance_of[on_trial].window : surfmink__choose();
+    enum surfmink__kind kind = b->surface == PLANE    ? SURFMINK__PLANE
+                               : b->surface == SPHERE ? SURFMINK__SPHERE
+                                                      : SURFMINK__EMBEDDED;
+    unsigned char left[64];
+    size_t at, i;
+    answers a;
+    answers_open(&a, b->count, b->max_rank, EVERYTHING);
+    for (at = first; at < b->count; at += 64) {
+        size_t count = b->count - at < 64 ? b->count - at : 64;
+        surfmink__job job =
+            surfmink__job_of(kind, b->corner, b->normal, b->radius, b->offset, b->max_rank, &a.out, NULL);
+        job.end = b->offset[b->count];
+        window(&job, at, count, left);
+        for (i = 0; i < count; ++i) {
+            CASE("%s, outline %d of %d corners", surface_name[b->surface], (int)(at + i), (int)corners_of(b, at + i));
+            CHECK(!left[i]);
+        }
+    }
+    answers_close(&a);
+}
+
+THEOREM(the_kernels_measure_flowers_and_small_regular_polygons_themselves)
+{
+    int surface;
+    for (surface = 0; surface < SURFACES; ++surface) {
+        bundle b;
+        every_length(&b, (enum surface)surface);
+        check_kernels_take(&b, 9); /* from 12 corners on */
+        bundle_close(&b);
+        regular_bundle(&b, (enum surface)surface);
+        b.count = 2 * 38; /* the largest ones are not ordinary on a sphere */
+        check_kernels_take(&b, 0);
+        bundle_close(&b);
+    }
+}
+
+/* --- in any strip of a long outline ------------------------------------------------------------------------------- */
+
+enum { STAR = 150 }; /* corners; a strip has 19 of them where there are eight lanes */
+
+/* One more star of long edges in space, its normals all up. */
+static size_t add_star(bundle *b)
+{
+    size_t at = add_outline(b, STAR), i;
+    double *corner = corner_of(b, at), *normal = normal_of(b, at);
+    for (i = 0; i < STAR; ++i) {
+        double r = i % 2 ? 30 : 28, phi = 2 * PI * (double)i / STAR;
+        corner[3 * i] = r * cos(phi), corner[3 * i + 1] = r * sin(phi), corner[3 * i + 2] = 0;
+        normal[3 * i] = normal[3 * i + 1] = 0, normal[3 * i + 2] = 1;
+    }
+    return at;
+}
+
+/* Where products of normals and edges overflow, the careful path takes over; up to there the kernels do. */
+THEOREM(a_normal_counts_by_its_direction_however_long_it_is_and_wherever_it_stands)
+{
+    bundle b;
+    answers a;
+    size_t i, at;
+    int p;
+    bundle_open(&b, EMBEDDED, 1000, 1000 * STAR);
+    add_star(&b);
+    for (at = 5; at < STAR; at += 19) {
+        double length = 3e153;
+        for (; length < 8e153; length *= 1.03) normal_of(&b, add_star(&b))[3 * at + 2] = length;
+    }
+    measure(&b, &a, WITHOUT_SCRATCH);
+    CHECK_EQUAL(a.refused, 0);
+    for (i = 0; i < b.count; ++i) {
+        CASE("outline %d", (int)i);
+        CHECK_CLOSE(a.out.turning[i], 2 * PI, 1e-13);
+        for (p = 0; p <= b.max_rank; ++p) CHECK_NEAR(a.out.mu[i * 13 + (size_t)p], a.out.mu[p], 1e-13);
+    }
+    answers_close(&a);
+    bundle_close(&b);
+}
+
+/* One more circle on the saddle z = 2 (x^2 - y^2), which encloses a curvature of about -3 pi / 2; with a whisker at
+   corner `at` if there is one, the way back from which ends in the corner but for a rounding error. */
+static void add_whisker(bundle *b, size_t at, double rounding)
+{
+    size_t n = at < STAR ? STAR + 2 : STAR, number = add_outline(b, n), i, k;
+    double *x = corner_of(b, number), *normal = normal_of(b, number);
+    for (i = 0; i < n; ++i, x += 3, normal += 3) {
+        size_t place = i <= at ? i : i < at + 3 ? at : i - 2;
+        double phi = 2 * PI * (double)place / STAR;
+        x[0] = cos(phi), x[1] = sin(phi), x[2] = 2 * (x[0] * x[0] - x[1] * x[1]);
+        normal[0] = -4 * x[0], normal[1] = 4 * x[1], normal[2] = 1;
+        if (i == at + 1)
+            for (k = 0; k < 2; ++k) x[k] *= 1.5;
+        if (i == at + 2) x[0] *= 1 + rounding;
+    }
+}
+
+THEOREM(a_whisker_turns_by_plus_pi_wherever_it_stands)
+{
+    bundle b;
+    answers a;
+    size_t i, at;
+    int ulps;
+    bundle_open(&b, EMBEDDED, 1000, 1000 * (STAR + 2));
+    add_whisker(&b, STAR, 0);
+    for (at = 0; at < STAR; ++at)
+        for (ulps = -1; ulps <= 1; ++ulps) add_whisker(&b, at, ulps * DBL_EPSILON);
+    measure(&b, &a, WITHOUT_SCRATCH);
+    CHECK_EQUAL(a.refused, 0);
+    for (i = 0; i < b.count; ++i) {
+        CASE("outline %d", (int)i);
+        CHECK(a.out.turning[i] > 3 * PI); /* so that 2 pi less would be an ordinary S, too */
+        CHECK_CLOSE(a.out.turning[i], a.out.turning[0], 1e-13);
+    }
+    answers_close(&a);
+    bundle_close(&b);
+}
+
 #ifdef SURFMINK__DISPATCHES
+THEOREM(a_processor_gets_the_widest_instance_that_it_can_run)
+{
+    CHECK(surfmink__instance(1, 1) == surfmink__window_avx512);
+    CHECK(surfmink__instance(1, 0) == surfmink__window_avx512);
+    CHECK(surfmink__instance(0, 1) == surfmink__window_avx2);
+    CHECK(surfmink__instance(0, 0) == surfmink__window_sse2);
+    CHECK(surfmink__choose() == surfmink__instance(can_run(4), can_run(3))); /* in instance_of */
+}
+
 /* Both have fused multiply-add and eight lanes; what stands in one register or in two is no matter. */
 THEOREM(avx2_and_avx512_agree_to_the_bit)
 {
@@ -1602,6 +1732,9 @@ static void prove_all(void)
     PROVE(regular_polygons_have_mu_one_exactly_at_multiples_of_their_corner_count);
     PROVE(a_plane_in_space_is_the_plane);
     PROVE(the_sphere_is_an_embedded_surface_up_to_lengths);
+    PROVE(the_kernels_measure_flowers_and_small_regular_polygons_themselves);
+    PROVE(a_normal_counts_by_its_direction_however_long_it_is_and_wherever_it_stands);
+    PROVE(a_whisker_turns_by_plus_pi_wherever_it_stands);
 }
 
 int main(void)
@@ -1612,6 +1745,7 @@ int main(void)
         else
             NOTE("%s: not for this machine", instance_name(on_trial));
 #ifdef SURFMINK__DISPATCHES
+    PROVE(a_processor_gets_the_widest_instance_that_it_can_run);
     PROVE(avx2_and_avx512_agree_to_the_bit);
 #endif
     return QED();

@@ -282,7 +282,8 @@ THEOREM(the_blame_may_be_left_out)
 
 THEOREM(what_overflows_is_not_finite)
 {
-    double wide[6], corner[15], area;
+    static const double square[8] = {0, 0, 0.9e308, 0, 0.9e308, 0.9e308, 0, 0.9e308}, quarter[4] = {1.5, 1.5, 1.5, 1.5};
+    double wide[6], corner[15], length[4], area;
     wide[0] = -1e308, wide[1] = 0, wide[2] = 1e308, wide[3] = 0, wide[4] = 0, wide[5] = 1e308; /* a difference */
     REFUSES(surfmink_measure_plane(wide, 3, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
     REFUSES(surfmink_edges_plane(wide, 3, out.length, out.turning, &bad), SURFMINK_NOT_FINITE);
@@ -303,6 +304,10 @@ THEOREM(what_overflows_is_not_finite)
     CHECK_OK(surfmink_edges_sphere(corner, 5, 1e160, out.length, out.turning, &bad));
     onto_sphere(corner, 5, 1.0, corner);
     CHECK_OK(surfmink_area_sphere(corner, 5, 1e100, &area));
+    REFUSES(surfmink_measure_plane(square, 4, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE); /* a sum */
+    CHECK_OK(surfmink_edges_plane(square, 4, length, out.turning, &bad));
+    REFUSES(surfmink_total(length, quarter, 4, &out.w), SURFMINK_NOT_FINITE);
+    REFUSES(surfmink_irreducible(length, quarter, 4, 3, out.g), SURFMINK_NOT_FINITE);
 }
 
 THEOREM(a_sphere_has_a_centre_antipodes_and_a_positive_radius)
@@ -446,15 +451,20 @@ enum {
     NO_DIRECTION,
     DIRECTION_NAN,
     DIRECTION_INFINITE,
+    NOTHING_BUT_A_LENGTH,
     LIES
 };
 
 static int sabotaged_log(void *context, const double *x, const double *y, double *length, double direction[2])
 {
     saboteur *s = (saboteur *)context;
-    int status = spinning_log(NULL, x, y, length, direction);
+    double kept[2];
+    int status;
+    memcpy(kept, direction, sizeof kept);
+    status = spinning_log(NULL, x, y, length, direction);
     if (s->calls++ != s->fails_at) return status;
     switch (s->lies) {
+    case NOTHING_BUT_A_LENGTH: memcpy(direction, kept, sizeof kept); break;
     case NEGATIVE_LENGTH: *length = -1; break;
     case LENGTH_NAN: *length = nan_(); break;
     case LENGTH_INFINITE: *length = infinity_(); break;
@@ -567,8 +577,9 @@ THEOREM(a_surface_needs_callbacks_and_a_stride)
 
 THEOREM(building_needs_a_size_and_fails_as_a_whole)
 {
-    static const double centre[2] = {0, 0}, other[2] = {1, 2};
-    surfmink_surface surface = spinning_plane();
+    static const double centre[2] = {0, 0}, other[2] = {1, 2}, nowhere[3] = {0, 0, 0};
+    double radius = 1, unknown[3] = {1, 0, 0};
+    surfmink_surface surface = spinning_plane(), sphere = surfmink_sphere(&radius);
     saboteur s;
     int call, status;
     REFUSES(surfmink_regular_polygon(&surface, centre, 1.0, 0.0, 2, out.vector), SURFMINK_TOO_FEW_CORNERS);
@@ -579,6 +590,9 @@ THEOREM(building_needs_a_size_and_fails_as_a_whole)
     REFUSES(surfmink_regular_polygon(&surface, centre, 1.0, infinity_(), 3, out.vector), SURFMINK_NOT_FINITE);
     REFUSES(surfmink_edge_points(&surface, centre, other, 0, out.vector), SURFMINK_BAD_ARGUMENT);
     REFUSES(surfmink_edge_points(&surface, centre, centre, 3, out.vector), SURFMINK_COINCIDENT_CORNERS);
+    unknown[2] = nan_();
+    REFUSES(surfmink_regular_polygon(&sphere, nowhere, 1.0, 0.0, 3, out.vector), SURFMINK_ZERO_NORMAL);
+    REFUSES(surfmink_regular_polygon(&sphere, unknown, 1.0, 0.0, 3, out.vector), SURFMINK_NOT_FINITE);
     for (call = 0; call < 5; ++call) {
         for (status = 1; status < 14; ++status) {
             int named = status < 12 ? status : 99, comes_back = status < 12 ? status : SURFMINK_CALLBACK_FAILED;
@@ -753,6 +767,10 @@ THEOREM(tensors_and_spectra_refuse_ranks_that_do_not_exist)
         }
         g[k] = kept;
     }
+    g[2] = g[3] = 1.5e308; /* whose modulus overflows */
+    REFUSES(surfmink_spectrum(g, 3, out.mu, out.length, out.turning), SURFMINK_NOT_FINITE);
+    g[2] = g[3] = 1e300, g[0] = 1e-10; /* whose ratio does */
+    REFUSES(surfmink_spectrum(g, 3, out.mu, out.length, out.turning), SURFMINK_NOT_FINITE);
     g[0] = 0;
     REFUSES(surfmink_spectrum(g, 3, out.mu, out.length, out.turning), SURFMINK_BAD_ARGUMENT);
     g[0] = -1;

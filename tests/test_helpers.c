@@ -294,6 +294,8 @@ THEOREM(a_pass_of_smoothing_takes_the_mean_of_each_corner_and_its_two_neighbours
         surfmink_smooth(smooth, n, stride, passes);
         CASE("trial %d, %d passes", trial, (int)passes);
         for (i = 0; i < n * stride; ++i) CHECK_NEAR(smooth[i], corner[i], 1e-15);
+        surfmink_smooth(smooth, 0, stride, 1); /* no corners are smooth */
+        for (i = 0; i < n * stride; ++i) CHECK_NEAR(smooth[i], corner[i], 1e-15);
     }
 }
 
@@ -332,8 +334,8 @@ THEOREM(merging_drops_repeated_corners_and_their_normals)
     const double nan = (double)NAN;
     double unknown[6] = {nan, nan, nan, nan, 1, 1};
     double corner[14] = {1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 1, 1}; /* a a b b b c a: the last is the first again */
-    double normal[21] = {10, 0, 0, 11, 0, 0, 20, 0, 0, 21, 0, 0, 22, 0, 0, 30, 0, 0, 12, 0, 0};
-    static const double want[6] = {1, 1, 2, 2, 3, 3}, kept[9] = {10, 0, 0, 20, 0, 0, 30, 0, 0};
+    double normal[21] = {10, 1, 2, 11, 0, 0, 20, 3, 4, 21, 0, 0, 22, 0, 0, 30, 5, 6, 12, 0, 0};
+    static const double want[6] = {1, 1, 2, 2, 3, 3}, kept[9] = {10, 1, 2, 20, 3, 4, 30, 5, 6};
     double near[6] = {0, 0, 0, 1e-300, 0, 0}, same[4] = {5, 5, 5, 5}, zero[4] = {0.0, 0.0, -0.0, 0.0};
     CHECK_EQUAL(surfmink_merge(corner, normal, 7, 2), 3);
     CHECK_SAME(corner, want, 6);

@@ -55,6 +55,14 @@ THEOREM(a_component_is_the_sum_of_lengths_times_powers_of_the_phase)
     }
 }
 
+THEOREM(edges_without_length_have_components_zero)
+{
+    static const double none[3] = {0, 0, 0}, phase[3] = {0, 2, 4}, zero[8] = {0};
+    double g[8];
+    CHECK_OK(surfmink_irreducible(none, phase, 3, 3, g));
+    CHECK_SAME(g, zero, 8);
+}
+
 THEOREM(at_rank_128_fourteen_digits_are_left)
 {
     /* Phases 2 pi k / 1024 have powers whose cosines need no large argument: the reference is as good as libm. */
@@ -368,6 +376,7 @@ THEOREM(in_the_plane_both_transports_agree_at_every_point)
 int main(void)
 {
     PROVE(a_component_is_the_sum_of_lengths_times_powers_of_the_phase);
+    PROVE(edges_without_length_have_components_zero);
     PROVE(at_rank_128_fourteen_digits_are_left);
     PROVE(a_component_does_not_depend_on_how_many_are_asked_for);
     PROVE(in_the_plane_components_are_those_of_the_edge_normals);

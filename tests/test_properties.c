@@ -227,6 +227,31 @@ THEOREM(the_unit_of_length_and_stretched_normals_change_no_bit_on_embedded_surfa
         }
 }
 
+/* Normals along one axis of space: each component has to be looked at. */
+THEOREM(in_every_plane_of_the_axes_stretched_normals_change_no_bit)
+{
+    chance c = {59};
+    double xy[2 * MOST], xyz[3 * MOST], normal[3 * MOST], mu[2][P + 1];
+    int turn, k;
+    for (turn = 0; turn < 3; ++turn)
+        for (k = 0; k < POWERS; ++k) {
+            size_t n = 3 + one_of(&c, 20), i;
+            int pass;
+            random_star(&c, n, xy);
+            CASE("axis %d, normals 2^%d", (turn + 2) % 3, powers[k]);
+            for (pass = 0; pass < 2; ++pass) {
+                for (i = 0; i < n; ++i) {
+                    xyz[3 * i + (size_t)turn] = xy[2 * i], normal[3 * i + (size_t)turn] = 0;
+                    xyz[3 * i + (size_t)(turn + 1) % 3] = xy[2 * i + 1], normal[3 * i + (size_t)(turn + 1) % 3] = 0;
+                    xyz[3 * i + (size_t)(turn + 2) % 3] = 0;
+                    normal[3 * i + (size_t)(turn + 2) % 3] = pass ? ldexp(1.0, powers[k]) : 1;
+                }
+                CHECK_OK(surfmink_measure_embedded(xyz, normal, n, P, mu[pass], NULL, NULL, NULL));
+            }
+            CHECK_SAME(mu[1], mu[0], P + 1);
+        }
+}
+
 THEOREM(neither_the_unit_nor_the_normals_need_be_sensible)
 {
     static const chart ellipsoid = {ELLIPSOID, 1.6, 1.3, 1.0};
@@ -551,6 +576,7 @@ int main(void)
     PROVE(the_unit_of_length_changes_no_bit_in_the_plane);
     PROVE(the_unit_of_length_changes_no_bit_on_the_sphere);
     PROVE(the_unit_of_length_and_stretched_normals_change_no_bit_on_embedded_surfaces);
+    PROVE(in_every_plane_of_the_axes_stretched_normals_change_no_bit);
     PROVE(neither_the_unit_nor_the_normals_need_be_sensible);
     PROVE(turned_round_twice_a_polygon_has_the_same_eigenvalues);
     PROVE(the_triangle_with_sides_3_4_5_has_its_closed_form);
