@@ -67,16 +67,19 @@
      Including the file again, with or without SURFMINK_IMPLEMENTATION, does nothing twice.
 
    ACCURACY
-     Of L and areas 1e-15 relative at any size of the outline, of mu_p and p theta_p (p <= 12) a few 1e-15 times c, off
-     the plane times c^2, c = (sum |alpha_i| + |2 pi - S|) / S: near 1 for most outlines, more where one winds a lot or
-     encloses a curvature near 2 pi. S is 2 pi in the plane and, where a fan of triangles within 60 degrees covers the
-     outline, 2 pi - area / R^2 on the sphere; elsewhere a sum of turns, off by 1e-16 a corner: at 1e5 corners it shows.
-     tests/test_reference.c holds them against 50-digit values, tests/accuracy against quadruple precision: on cells of
-     size 1e-12, corners off the sphere, edges steep against the tangent plane, needles, spikes, 1e7 corners.
-     Angles come from differences of corners and atan2, never arccos; long sums are compensated.
-     Single calls and batches share their formulas. Outlines that are ordinary go through them as they are; others
-     (extreme units, spikes, steep or very long edges, S near 0, all that is refused) are measured corner by corner with
-     more care.
+     With the condition number c = max(1, sum |alpha_i| / S), near 1 for most outlines and more where one turns to and
+     fro, winds, or encloses a curvature near 2 pi, every outline that is not refused has
+       L       to 1e-15, relative
+       S       to 2e-15 c, relative
+       mu_p    to 1e-14 (1 + c), p <= 12; so has the angle p theta_p of g_p, times mu_p
+       area    to 2e-15 of half the sum of |x_i - x_0| l_i; slivers are small beside that
+     at any size of the outline, 3 to 1e5 corners (1e7 lose nothing, but there is no proof in higher precision). make
+     accuracy holds all ways to measure against quadruple precision: cells of size 1e-12, corners off the sphere, edges
+     steep against the tangent plane, needles, spikes, spirals, near great circles; docs/trust.md has the worst found.
+     Angles come from differences of corners and atan2, never arccos; long sums are compensated. Single calls and
+     batches share their formulas. Outlines that are ordinary go through them as they are; others (extreme units,
+     spikes, steep or very long edges, wide windings, S below 0.5, all that is refused) are measured corner by corner
+     with twice the digits, ten times as slowly.
 
    DETERMINISM
      The same program on the same machine gives the same bits, whatever the thread or the locale, and in a batch
@@ -84,17 +87,18 @@
      check compares gcc, clang and tcc; C and C++; -O0 to -O3; x86-64, 32-bit x86, arm64 and big-endian s390x; glibc and
      musl), where
        a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64; gcc 12
-         at -O3 does so in vectors, whatever it is told, where there is FMA, unless -fno-tree-slp-vectorize forbids those
+         at -O3 does so in vectors where there is FMA, whatever it is told, unless by -fno-tree-slp-vectorize
        doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
        sin, cos and atan2 are the same. glibc has others for processors without FMA and for 32-bit x86, and musl its
          own, so that one program may differ between machines. With functions of yours as SURFMINK_SIN, SURFMINK_COS and
          SURFMINK_ATAN2 it does not
        batches use the same instructions: SSE2, or none; AVX2, AVX-512 and NEON agree to the bit.
      Otherwise bits differ and statuses stay. Batches differ from single calls, and sets of vector instructions from
-     each other, by less than 1e-14 (1 + c)^2 in mu_p and g_p / L, p <= 12 (tests/test_batch.c): with SURFMINK_DISPATCH
-     results depend that much on the processor. Fused a*b+c, x87, another libm and -ffast-math stay within that too; but
-     -ffast-math lets NaN and infinity pass unrefused and removes the compensation of long sums: 1e-12 at most. Where
-     the program rounds up, down or towards zero, the bound is 2e-14; of batches in vector instructions, 1e-6.
+     each other, by no more than ACCURACY grants the two: with SURFMINK_DISPATCH results depend that much on the
+     processor. Fused a*b+c, x87 and another libm stay within that, too. -ffast-math lets NaN and infinity pass
+     unrefused and takes the digits beyond a double away: results are good to 1e-14 (1 + c)^2 where the outline is
+     ordinary. So they are where the program rounds up, down or towards zero, to 2e-14; batches in vector instructions to
+     1e-6.
 
    HISTORY
      0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
@@ -1975,7 +1979,8 @@ static double surfmink__turn_plane(const double in[2], const double out[2])
                            surfmink__fine_pair(a[0], b[0], a[1], b[1]).high);
 }
 
-/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; on its own if far off. Returns the scale. */
+/* Corner i of a sphere, scaled like corner 0 so that differences stay exact; on its own if far off. The scale comes
+   back. */
 static double surfmink__sphere_point(const surfmink__outline *o, size_t i, double x[3])
 {
     const double *corner = o->corner + 3 * i;
@@ -2146,8 +2151,8 @@ static int surfmink__check_corner(const surfmink__outline *o, size_t i)
     return surfmink__max_abs(normal, 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
 }
 
-/* Does the edge from x to y run along the normal at corner i, so that it has no direction in the tangent plane? 1e-6 rad,
-   in sine. */
+/* Does the edge from x to y run along the normal at corner i, so that it has no direction in the tangent plane? 1e-6
+   rad, in sine. */
 static int surfmink__upright(const surfmink__outline *o, size_t i, const double *x, const double *y)
 {
     double edge[3], e[3], axis[3], along, size;
@@ -2395,9 +2400,9 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
     return 1;
 }
 
-/* A sum of turns. Where they have twice the digits their product as complex numbers is kept too: its angle is the sum but
-   for multiples of 2 pi, and has all digits, while turns that are rounded one by one would be off by eps sum |alpha|,
-   which is a lot for a small sum. */
+/* A sum of turns. Where they have twice the digits their product as complex numbers is kept too: its angle is the sum
+   but for multiples of 2 pi, and has all digits, while turns that are rounded one by one would be off by
+   eps sum |alpha|, which is a lot for a small sum. */
 typedef struct surfmink__path {
     surfmink__sum turned, z[2];
 } surfmink__path;
@@ -2450,8 +2455,8 @@ static void surfmink__sums(const surfmink__outline *o, double *length, double *t
     *turned = surfmink__value(&t);
 }
 
-/* A fan from one of 16 corners, evenly spaced: within 60 degrees if there is one, within 120, or 0.6 degrees short of the
-   opposite point. Returns 0 if there is none. */
+/* A fan from one of 16 corners, evenly spaced: within 60 degrees if there is one, within 120, or 0.6 degrees short of
+   the opposite point. Returns 0 if there is none. */
 static int surfmink__solid_angle(const surfmink__outline *o, double *solid_angle, double *error)
 {
     static const double reach[3] = {0.5, -0.5, -0.99995};
