@@ -275,7 +275,7 @@ near 1e-6 "$rounding" "" clang -O2 -march=native
 # comma.c makes it speak the language of the country, which it never does by itself
 check "a locale with a comma changes no byte" "
     localedef --no-archive -i de_DE -f UTF-8 $here/de_DE.UTF-8 &&
-    export LOCPATH=$here COMMA_LOCALE=de_DE.UTF-8 &&
+    export LOCPATH=\$PWD/$here COMMA_LOCALE=de_DE.UTF-8 &&
     gcc -std=c99 -O1 -I. examples/surfmink.c tests/check/comma.c -o $here/surfmink -lm &&
     tissue=\"--digits 17 --svg $here/svg examples/data/tissue.tsv\" &&
     LC_ALL=C .build/surfmink \$tissue > $here/1 && mv $here/svg $here/1.svg &&
