@@ -189,6 +189,7 @@ done
 # for another machine; of batches a part. The machines that round like x86-64 (see "determinism") run $some of them.
 all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
+quick=$(echo "$all" | tr ' ' '\n' | grep -vE 'test_(long|mesh|paper|surfaces)' | tr '\n' ' ') # under valgrind
 theorems() {
     programs=$1 fewer=$2 runner=$3
     shift 3
@@ -209,7 +210,7 @@ theorems "$some" 50 qemu-i386 $gcc32 -O1 -mno-sse
 theorems "$some" 50 qemu-aarch64 $arm64 -O2
 theorems "$all" 10 "" clang -O1 -g $sanitize
 theorems "$all" 10 "" clang -O1 -g -fsanitize=memory
-theorems "$all" 100 "valgrind -q --error-exitcode=9" gcc -O1 -g
+theorems "$quick" 100 "valgrind -q --error-exitcode=9" gcc -O1 -g
 
 # batches: what threads, other instructions and plain C make of them
 for flags in "gcc -O2 -fopenmp" "gcc -O2 -DSURFMINK_NO_SIMD"; do
