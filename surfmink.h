@@ -95,10 +95,10 @@
        batches use the same instructions: SSE2, or none; AVX2, AVX-512 and NEON agree to the bit.
      Otherwise bits differ and statuses stay. Batches differ from single calls, and sets of vector instructions from
      each other, by no more than ACCURACY grants the two: with SURFMINK_DISPATCH results depend that much on the
-     processor. Fused a*b+c, x87 and another libm stay within that, too. -ffast-math lets NaN and infinity pass
-     unrefused and takes the digits beyond a double away: results are good to 1e-14 (1 + c)^2 where the outline is
-     ordinary. So they are where the program rounds up, down or towards zero, to 2e-14; batches in vector instructions to
-     1e-6.
+     processor. Fused a*b+c, another libm, x87 with -std=c99 and rounding up, down or towards zero stay within that, too;
+     but batches in vector instructions need rounding to nearest, or lose half of their digits. -ffast-math, and x87
+     without -std=c99, take the digits beyond a double away: that leaves 1e-14 (1 + (sum |alpha_i| + |2 pi - S|) / S)^2.
+     And -ffast-math lets NaN and infinity pass unrefused.
 
    HISTORY
      0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits

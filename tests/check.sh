@@ -186,8 +186,8 @@ for program in examples/*.c examples/paper/*.c; do
     check "clang, $program" "clang -std=c99 $wall_c -I. -c $program -o $here/program.o"
 done
 
-# theorems PROGRAMS FEWER RUNNER COMPILER FLAGS...: the test programs, built by another compiler, with other flags or for
-# another machine; of batches a part. The machines that round like x86-64 (see "determinism") run $some of them.
+# theorems PROGRAMS FEWER RUNNER COMPILER FLAGS...: the test programs, built by another compiler, with other flags or
+# for another machine; of batches a part. The machines that round like x86-64 (see "determinism") run $some of them.
 all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
 quick=$(echo "$all" | tr ' ' '\n' | grep -vE 'test_(long|mesh|paper|surfaces)' | tr '\n' ' ') # under valgrind
@@ -252,7 +252,7 @@ same "in plain C, without libm" . ":tcc $own" ":gcc $own -O2 -DSURFMINK_NO_SIMD"
 same "of single calls, whatever the instructions" '^[^b]' ":gcc $own -O1" ":gcc $own -O1 -DSURFMINK_NO_SIMD" \
     ":gcc $own -O1 -march=native" "qemu-s390x:$s390x $own -O1"
 
-# near WITHIN OPTIONS RUNNER COMPILER...: where bits differ, the same statuses, and numbers within WITHIN (1 + c)^2
+# near WITHIN OPTIONS RUNNER COMPILER...: where bits differ, the same statuses, and numbers within WITHIN (1 + c)
 gcc -std=c99 -O2 -I. tests/check/outputs.c -o "$work/outputs" -lm && "$work/outputs" --write "$work/numbers" > /dev/null
 near() {
     within=$1 options=$2 runner=$3
@@ -260,17 +260,17 @@ near() {
     check "within $within, $* $options" "$* -I. tests/check/outputs.c -o $here/outputs -lm &&
         $(quietly "$runner $here/outputs --compare $work/numbers $within $options")"
 }
-near 1e-14 "" "" gcc -Ofast
-near 1e-14 "" "" gcc -Ofast -march=native
-near 1e-14 "" "" clang -O2 -ffast-math
-near 1e-14 "" "" clang -Ofast -march=native
-near 1e-14 "" qemu-i386 $gcc32 -O2 -mno-sse
+near 1e-14 --doubles "" gcc -Ofast
+near 1e-14 --doubles "" gcc -Ofast -march=native
+near 1e-14 --doubles "" clang -O2 -ffast-math
+near 1e-14 --doubles "" clang -Ofast -march=native
+near 1e-14 --doubles qemu-i386 $gcc32 -O2 -mno-sse
 near 1e-14 "" qemu-i386 $gcc32 -O2 -mno-sse -std=c99
 near 1e-14 "" "" musl-gcc -O2
 near 1e-14 "" qemu-aarch64 $arm64 -O2
 near 1e-14 "" qemu-s390x $s390x -O2 -march=z13
 rounding="--rounding up --rounding down --rounding zero"
-near 2e-14 "$rounding" "" gcc -O2 -frounding-math -DSURFMINK_NO_SIMD
+near 1e-14 "$rounding" "" gcc -O2 -frounding-math -DSURFMINK_NO_SIMD
 near 1e-6 "$rounding" "" gcc -O2 -frounding-math
 near 1e-6 "$rounding" "" clang -O2 -march=native
 
@@ -328,6 +328,11 @@ check "the command's contract, with sanitizers" "$gcc_sanitize \
 check "levelset's contract, with sanitizers" "$gcc_sanitize \
     examples/levelset.c -o $here/levelset -lm &&
     $(quietly "sh tests/test_levelset.sh $here/levelset .build/surfmink")"
+check "the commands under abuse, with sanitizers" "
+    for command in surfmink levelset tissue; do
+        $gcc_sanitize examples/\$command.c -o $here/\$command -lm || echo \$command
+    done
+    $(quietly "sh tests/test_abuse.sh $here")"
 check "the tissue is what its generator makes, with sanitizers" "$gcc_sanitize \
     examples/tissue.c -o $here/tissue -lm &&
     $here/tissue | cmp - examples/data/tissue.tsv"

@@ -5,8 +5,10 @@
      ./a.out --write FILE            the outputs themselves, eight bytes a number, the most significant first
      ./a.out --compare FILE WITHIN   against those of another build: the same statuses, differences of L and the area
                                      (relative; areas to 1e-3 L^2 at least), S, mu_p, g_p / L and mu_p p theta_p within
-                                     WITHIN (1 + c)^2, where c is the condition that ACCURACY in surfmink.h names;
+                                     WITHIN (1 + c), where c is the condition number;
                                      otherwise the exit status is 1
+     --doubles                       in units of (1 + c)^2, c = (sum |alpha| + |2 pi - S|) / S: of builds that have no
+                                     more digits than a double, for they round where they should not, or do not
      --rounding up | down | zero     measured in that direction of rounding, where the machine has it; or one after the
                                      other, if there are several
 
@@ -198,6 +200,7 @@ static void make_outline(outline *o, int which)
 
 static FILE *to, *from; /* --write, --compare */
 static double within, worst[6];
+static int doubles;
 static int wrong_statuses, count, refused;
 static uint64_t digest;
 
@@ -235,8 +238,8 @@ static void note(int what, double off)
 
 static void compare(const double *got, const double *want)
 {
-    double length = want[1], turning = want[2], along = want[4] * turning + fabs(want[3]);
-    double amplified = (1 + along / turning) * (1 + along / turning), off;
+    double length = want[1], turning = want[2], amplified = 1 + want[4], off;
+    if (doubles) amplified = pow(1 + want[4] + fabs(want[3]) / turning, 2);
     int p;
     note(0, fabs(got[1] / length - 1) / amplified);
     note(1, fabs(got[0] - want[0]) / (fabs(want[0]) + 1e-3 * length * length) / amplified);
@@ -465,7 +468,9 @@ int main(int argc, char **argv)
             from = fopen(argv[++i], "rb");
             within = strtod(argv[++i], NULL);
             if (!from) return printf("%s: cannot be read\n", argv[i - 1]), 2;
-        } else if (strcmp(argv[i], "--rounding") == 0 && i + 1 < argc && directions < 3)
+        } else if (strcmp(argv[i], "--doubles") == 0)
+            doubles = 1;
+        else if (strcmp(argv[i], "--rounding") == 0 && i + 1 < argc && directions < 3)
             direction[directions++] = argv[++i];
         else
             return printf("%s: what is that?\n", argv[i]), 2;
