@@ -1,9 +1,9 @@
 #!/bin/sh
 # check.sh DIRECTORY [WORD]: what a header is judged by and only other tools can tell: warnings in every dialect, the
-# symbols it exports, ways to include it, other compilers, flags and machines, static analysis, sanitizers, layout. Works
-# in DIRECTORY; runs only checks whose name has the WORD in it, if there is one. docs/trust.md says why each is here.
-# JOBS checks run at a time; SLOW=10 names those that took as many seconds of the processor. Needs what .ci/run installs;
-# a tool that is missing is a check that fails.
+# symbols it exports, ways to include it, other compilers, flags and machines, static analysis, sanitizers, layout.
+# Works in DIRECTORY; runs only checks whose name has the WORD in it, if there is one. docs/trust.md says more. JOBS
+# checks run at a time; SLOW=10 names those that took so many seconds of the processor. Needs what .ci/run installs; a
+# tool that is missing is a check that fails.
 . "$(dirname "$0")/pool.sh"
 work=$1
 word=$2
@@ -34,7 +34,7 @@ wall="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-
       -Wcast-align -Wwrite-strings -Wvla -Wfloat-conversion"
 wall=$(echo $wall)
 wall_c="$wall -Wstrict-prototypes -Wmissing-prototypes"
-gcc32="gcc -m32 -static -isystem /usr/include/x86_64-linux-gnu" # gcc-12-multilib: with gcc-multilib no other machine goes
+gcc32="gcc -m32 -static -isystem /usr/include/x86_64-linux-gnu" # not gcc-multilib, which drives out the others
 arm64="aarch64-linux-gnu-gcc -static"
 s390x="s390x-linux-gnu-gcc -static"
 
@@ -150,7 +150,8 @@ among() {
     printf 'int main(void)\n{\n    return surfmink_strerror(0)[0] != 109;\n}\n' >> "$work/among$#.c"
     for compiler in gcc clang; do
         check "$compiler, among $*" \
-            "$compiler -Wall -Wextra -I. -I$work -DSURFMINK_IMPLEMENTATION $work/among$#.c -o $here/among -lm && $here/among"
+            "$compiler -Wall -Wextra -I. -I$work -DSURFMINK_IMPLEMENTATION $work/among$#.c -o $here/among -lm &&
+            $here/among"
     done
 }
 among '"surfmink.h"' '<math.h>'
@@ -185,7 +186,7 @@ for program in examples/*.c examples/paper/*.c; do
     check "clang, $program" "clang -std=c99 $wall_c -I. -c $program -o $here/program.o"
 done
 
-# theorems FEWER RUNNER COMPILER FLAGS...: the whole set of test programs, built by another compiler, with other flags or
+# theorems PROGRAMS FEWER RUNNER COMPILER FLAGS...: the test programs, built by another compiler, with other flags or
 # for another machine; of batches a part. The machines that round like x86-64 (see "determinism") run $some of them.
 all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
@@ -230,7 +231,8 @@ same() {
     name=$1 lines=$2
     shift 2
     for build in "$@"; do
-        echo "${build#*:} -I. tests/check/outputs.c -o \$here/outputs -lm && ${build%%:*} \$here/outputs > \$here/said.bits"
+        echo "${build#*:} -I. tests/check/outputs.c -o \$here/outputs -lm &&"
+        echo "${build%%:*} \$here/outputs > \$here/said.bits"
         echo "grep '$lines' \$here/said.bits > \$here/bits; [ -f \$here/first ] || cp \$here/bits \$here/first"
         echo "cmp \$here/bits \$here/first || echo '$build'; rm -f \$here/outputs \$here/bits"
     done > "$work/same"
@@ -319,13 +321,14 @@ check "worst errors against quadruple precision" "
     $(quietly "$here/accuracy --polygons 1000")"
 
 # --- the commands under sanitizers ------------------------------------------------------------------------------------
-check "the command's contract, with sanitizers" "gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. \
+gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I."
+check "the command's contract, with sanitizers" "$gcc_sanitize \
     examples/surfmink.c -o $here/surfmink -lm &&
     $(quietly "sh tests/test_command.sh $here/surfmink")"
-check "levelset's contract, with sanitizers" "gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. \
+check "levelset's contract, with sanitizers" "$gcc_sanitize \
     examples/levelset.c -o $here/levelset -lm &&
     $(quietly "sh tests/test_levelset.sh $here/levelset .build/surfmink")"
-check "the tissue is what its generator makes, with sanitizers" "gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. \
+check "the tissue is what its generator makes, with sanitizers" "$gcc_sanitize \
     examples/tissue.c -o $here/tissue -lm &&
     $here/tissue | cmp - examples/data/tissue.tsv"
 check "valgrind finds nothing in the demo's tissue" "valgrind -q --leak-check=full --error-exitcode=9 .build/surfmink \
@@ -359,7 +362,8 @@ for script in "$list"/*.sh; do
         { echo "FAILED $name" && sed 1d "$script" && cat "$here/said"; } | head -n 30
     fi
     sed 's/[ms]/ /g' "$here/times" | awk -v slow="${SLOW:-0}" -v name="$name" '
-        NR == 2 { seconds = 60 * $1 + $2 + 60 * $3 + $4; if (slow && seconds >= slow) printf "%.1f s %s\n", seconds, name }'
+        NR == 2 { seconds = 60 * $1 + $2 + 60 * $3 + $4 }
+        END { if (slow && seconds >= slow) printf "%.1f s %s\n", seconds, name }'
 done
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

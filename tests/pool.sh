@@ -1,4 +1,4 @@
-# pool.sh - to be sourced. pool DIRECTORY: runs every DIRECTORY/*.sh, JOBS at a time (one for each processor), and waits.
+# pool.sh - to be sourced. pool DIRECTORY: runs every DIRECTORY/*.sh, JOBS at a time (one a processor), and waits.
 # NAME.sh finds a folder of its own in $here = DIRECTORY/NAME, and leaves there what it printed (said), its exit status
 # (status) and the time it took (times; the second line is that of the processor).
 worker() {

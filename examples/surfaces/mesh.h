@@ -934,7 +934,7 @@ static inline void mesh__reverse(mesh_loops *loops)
     size_t k, i, j;
     int c;
     for (k = 0; k < loops->loops; ++k)
-        /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): mesh__close wrote it when it counted the loop */
+        /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): mesh__close wrote it with the loop */
         for (i = loops->start[k], j = loops->start[k + 1] - 1; i < j; ++i, --j)
             for (c = 0; c < 3; ++c) {
                 double *x = loops->corner + c, *n = loops->normal + c, swap = x[3 * i];

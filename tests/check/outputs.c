@@ -3,9 +3,10 @@
 
      ./a.out                         a digest of the bits of all outputs, one for each kind of call
      ./a.out --write FILE            the outputs themselves, eight bytes a number, the most significant first
-     ./a.out --compare FILE WITHIN   against those of another build: the same statuses, and differences of L and the area
-                                     (relative; an area to 1e-3 L^2 at least), S, mu_p, g_p / L and mu_p p theta_p within WITHIN (1 + c)^2, where c is
-                                     the condition that ACCURACY in surfmink.h names, or else the exit status is 1
+     ./a.out --compare FILE WITHIN   against those of another build: the same statuses, differences of L and the area
+                                     (relative; areas to 1e-3 L^2 at least), S, mu_p, g_p / L and mu_p p theta_p within
+                                     WITHIN (1 + c)^2, where c is the condition that ACCURACY in surfmink.h names;
+                                     otherwise the exit status is 1
      --rounding up | down | zero     measured in that direction of rounding, where the machine has it; or one after the
                                      other, if there are several
 
@@ -13,7 +14,7 @@
 
    The outlines are made of integers and come out the same everywhere: by no function of libm, and by no operation that
    rounds but the conversion of an integer. All calls see ordinary ones and others that take the careful paths: extreme
-   units, spikes, dents, hundreds of corners, nearly half a sphere, edges steep against the tangent plane, refused ones. */
+   units, spikes, dents, hundreds of corners, nearly half a sphere, steep edges, refused ones. */
 #include <fenv.h>
 #ifdef OWN_FUNCTIONS
 double own_sine(double x), own_cosine(double x), own_angle(double y, double x);
