@@ -87,7 +87,11 @@
      check compares gcc, clang and tcc; C and C++; -O0 to -O3; x86-64, 32-bit x86, arm64 and big-endian s390x; glibc and
      musl), where
        a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64; gcc 12
+<<<<<<< HEAD
          at -O3 does so in vectors where there is FMA, whatever it is told, unless by -fno-tree-slp-vectorize
+=======
+         at -O3 does so in vectors, whatever it is told, where there is FMA, unless -fno-tree-slp-vectorize forbids them
+>>>>>>> machines
        doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
        sin, cos and atan2 are the same. glibc has others for processors without FMA and for 32-bit x86, and musl its
          own, so that one program may differ between machines. With functions of yours as SURFMINK_SIN, SURFMINK_COS and
