@@ -87,11 +87,7 @@
      check compares gcc, clang and tcc; C and C++; -O0 to -O3; x86-64, 32-bit x86, arm64 and big-endian s390x; glibc and
      musl), where
        a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64; gcc 12
-<<<<<<< HEAD
          at -O3 does so in vectors where there is FMA, whatever it is told, unless by -fno-tree-slp-vectorize
-=======
-         at -O3 does so in vectors, whatever it is told, where there is FMA, unless -fno-tree-slp-vectorize forbids them
->>>>>>> machines
        doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
        sin, cos and atan2 are the same. glibc has others for processors without FMA and for 32-bit x86, and musl its
          own, so that one program may differ between machines. With functions of yours as SURFMINK_SIN, SURFMINK_COS and
@@ -99,8 +95,8 @@
        batches use the same instructions: SSE2, or none; AVX2, AVX-512 and NEON agree to the bit.
      Otherwise bits differ and statuses stay. Batches differ from single calls, and sets of vector instructions from
      each other, by no more than ACCURACY grants the two: with SURFMINK_DISPATCH results depend that much on the
-     processor. Fused a*b+c, another libm, x87 with -std=c99 and rounding up, down or towards zero stay within that, too;
-     but batches in vector instructions need rounding to nearest, or lose half of their digits. -ffast-math, and x87
+     processor. Fused a*b+c, another libm, x87 with -std=c99, and rounding up, down or towards zero stay within that,
+     too; but batches in vector instructions need rounding to nearest, or lose half of their digits. -ffast-math, and x87
      without -std=c99, take the digits beyond a double away: that leaves 1e-14 (1 + (sum |alpha_i| + |2 pi - S|) / S)^2.
      And -ffast-math lets NaN and infinity pass unrefused.
 
@@ -2361,7 +2357,7 @@ static double surfmink__area_plane(const surfmink__outline *o)
 static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, double *solid_angle, double *error)
 {
     surfmink__sum sum = {0, 0}, n[3], to_x[3], to_y[3];
-    double a[3], x[3], y[3], axis[3], n_norm, x_norm, y_norm, nx, ny, x_scale = 1, y_scale, twice, across, norms, size;
+    double a[3], x[3], y[3], axis[3], n_norm, x_norm, y_norm, nx, ny, x_scale = 1, y_scale, twice, across, norms;
     size_t i, k, at = apex;
     surfmink__sphere_point(o, apex, a);
     surfmink__axis(o, apex, n);
@@ -2388,8 +2384,7 @@ static int surfmink__fan(const surfmink__outline *o, size_t apex, double reach, 
             twice = surfmink__fine_triple(n, to_x, to_y).high / (n_norm * n_norm) / x_scale / y_scale;
             norms = n_norm * x_norm * y_norm;
             across = norms + y_norm * nx + n_norm * surfmink__dot(x, y) + x_norm * ny;
-            size = twice * twice + across * across;
-            *error += size > 0 ? 4 * norms * surfmink__abs(twice) / size : 1;
+            *error += 4 * norms * surfmink__abs(twice) / (twice * twice + across * across);
             surfmink__add(&sum, 2 * SURFMINK_ATAN2(twice, across));
         }
         for (k = 0; k < 3; ++k) {
@@ -2573,7 +2568,7 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
     status = surfmink__check(&o, NULL);
     if (status != SURFMINK_OK) return status;
     fan = surfmink__solid_angle(&o, &solid_angle, &error);
-    if (!fan || error >= 1) { /* then S knows it better */
+    if (!fan || !(error < 1)) { /* then S knows it better */
         surfmink__sums(&o, &length, &turning, &turned);
         if (fan) k = surfmink__windings(turning, solid_angle);
         solid_angle = k * surfmink__two_pi - turning;

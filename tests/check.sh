@@ -328,14 +328,11 @@ check "the command's contract, with sanitizers" "$gcc_sanitize \
 check "levelset's contract, with sanitizers" "$gcc_sanitize \
     examples/levelset.c -o $here/levelset -lm &&
     $(quietly "sh tests/test_levelset.sh $here/levelset .build/surfmink")"
-<<<<<<< HEAD
 check "the commands under abuse, with sanitizers" "
     for command in surfmink levelset tissue; do
         $gcc_sanitize examples/\$command.c -o $here/\$command -lm || echo \$command
     done
     $(quietly "sh tests/test_abuse.sh $here")"
-=======
->>>>>>> machines
 check "the tissue is what its generator makes, with sanitizers" "$gcc_sanitize \
     examples/tissue.c -o $here/tissue -lm &&
     $here/tissue | cmp - examples/data/tissue.tsv"
