@@ -96,9 +96,9 @@
      Otherwise bits differ and statuses stay. Batches differ from single calls, and sets of vector instructions from
      each other, by no more than ACCURACY grants the two: with SURFMINK_DISPATCH results depend that much on the
      processor. Fused a*b+c, another libm, x87 with -std=c99, and rounding up, down or towards zero stay within that,
-     too; but batches in vector instructions need rounding to nearest, or lose half of their digits. -ffast-math, and x87
-     without -std=c99, take the digits beyond a double away: that leaves 1e-14 (1 + (sum |alpha_i| + |2 pi - S|) / S)^2.
-     And -ffast-math lets NaN and infinity pass unrefused.
+     too; but batches in vector instructions need rounding to nearest, or lose half of their digits. -ffast-math, and
+     x87 without -std=c99, take the digits beyond a double away: with c' = (sum |alpha_i| + |2 pi - S|) / S that leaves
+     1e-14 (1 + c')^2. And -ffast-math lets NaN and infinity pass unrefused.
 
    HISTORY
      0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
@@ -2015,22 +2015,29 @@ static void surfmink__axis(const surfmink__outline *o, size_t i, surfmink__sum a
 }
 
 /* n x (y - x): the edge from x to y as seen along the normal n and turned by 90 degrees, times a power of two, which
-   comes back. What rounding takes from y - x is kept, and what is along n is taken off first, for where the edge is
-   almost that, what is left needs all its digits. */
+   comes back. What rounding takes from y - x is kept, and what is along n is taken off first: where that is almost all,
+   what is left needs all its digits. A multiple of 24 bits is exact, and three times that is enough. */
 static double surfmink__seen(const surfmink__sum n[3], const double x[3], const double y[3], surfmink__sum seen[3])
 {
     surfmink__sum edge[3];
-    double scale, along = 0, nn = 0;
+    double scale, along, nn = 0, high;
     size_t k;
-    for (k = 0; k < 3; ++k) edge[k] = surfmink__fine(y[k], -x[k]);
-    scale = surfmink__fine_shrink(edge, 3);
+    int times;
     for (k = 0; k < 3; ++k) {
-        along += edge[k].high * n[k].high;
+        edge[k] = surfmink__fine(y[k], -x[k]);
         nn += n[k].high * n[k].high;
     }
-    for (k = 0; k < 3; ++k) {
-        surfmink__add_product(edge + k, -along / nn, n[k].high);
-        edge[k] = surfmink__fine(edge[k].high, edge[k].low);
+    scale = surfmink__fine_shrink(edge, 3);
+    for (times = 0; times < 3; ++times) {
+        along = 0;
+        for (k = 0; k < 3; ++k) along += edge[k].high * n[k].high;
+        along = (double)(float)(along / nn);
+        for (k = 0; k < 3; ++k) {
+            high = (double)(float)n[k].high;
+            surfmink__add(edge + k, -along * high);
+            surfmink__add(edge + k, -along * (n[k].high - high));
+            edge[k] = surfmink__fine(edge[k].high, edge[k].low);
+        }
     }
     surfmink__fine_cross(n, edge, seen);
     return scale;

@@ -478,6 +478,19 @@ static void refer_embedded(const polygon *o)
     }
 }
 
+/* The direction of the edge from corner x to y, unit vectors beside them, at one of the two: the tangent part of the
+   chord. That of the corners as they are is exact; but where they stand at different distances from the centre it is
+   lost in the difference, and unit vectors are better. */
+static void q_chord(const double *x, const quad x_unit[3], const double *y, const quad y_unit[3], quad chord[3])
+{
+    quad along;
+    int k;
+    q_difference(y, x, chord);
+    along = q_dot(chord, x_unit);
+    if (2 * along * along <= q_dot(chord, chord)) return;
+    for (k = 0; k < 3; ++k) chord[k] = y_unit[k] - x_unit[k];
+}
+
 /* Stereographic map of the sphere from the point opposite to corner 0: the triangle of corner 0 with the images z and w
    of two others has the area 2 arg(1 + conj(z) w). */
 static void refer_sphere(const polygon *o, measured *m)
@@ -493,11 +506,12 @@ static void refer_sphere(const polygon *o, measured *m)
     for (i = 0; i < n; ++i) {
         q_unit(i + 1 < n ? c + 3 * i + 3 : c, next);
         for (k = 0; k < 3; ++k) {
-            in[k] = here[k] - before[k]; /* its part in the tangent plane of `here` is along the edge */
             out[k] = next[k] - here[k];
             sum[k] = next[k] + here[k];
         }
         edge_length[i] = 2 * atan2q(sqrtq(q_dot(out, out)), sqrtq(q_dot(sum, sum)));
+        q_chord(c + 3 * (i > 0 ? i - 1 : n - 1), before, c + 3 * i, here, in);
+        q_chord(c + 3 * i, here, i + 1 < n ? c + 3 * i + 3 : c, next, out);
         edge_turn[i] = q_turn(in, out, here);
         for (k = 0; k < 3; ++k) sum[k] = next[k] - first[k];
         w[0] = q_dot(sum, e1) / (1 + q_dot(next, first));
