@@ -1,4 +1,4 @@
-/* surfmink.h - v0.2.0 - surface Minkowski tensors of closed curves - MIT or public domain, as you like (end of file)
+/* surfmink.h - v0.2.1 - surface Minkowski tensors of closed curves - MIT or public domain, as you like (end of file)
 
    One header, C99 and C++, only libm, no allocation, no global state.
 
@@ -101,15 +101,16 @@
      1e-14 (1 + c')^2. And -ffast-math lets NaN and infinity pass unrefused.
 
    HISTORY
+     0.2.1  every outline to 1e-14 (1 + c), great circles and spirals included; the same bits from more compilers
      0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
      0.1.0  the four steps, the four kinds of surfaces, transports, tensors, helpers */
 #ifndef SURFMINK_H
 #define SURFMINK_H
 
-#define SURFMINK_VERSION       "0.2.0"
+#define SURFMINK_VERSION       "0.2.1"
 #define SURFMINK_VERSION_MAJOR 0
 #define SURFMINK_VERSION_MINOR 2
-#define SURFMINK_VERSION_PATCH 0
+#define SURFMINK_VERSION_PATCH 1
 
 #include <stddef.h> /* size_t, ptrdiff_t */
 
