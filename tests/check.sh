@@ -200,18 +200,18 @@ theorems() {
     done
 }
 sanitize="-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all"
-theorems "$all" 10 "" gcc -O0
-theorems "$all" 10 "" gcc -O3 -march=native -fno-math-errno $wall_c
-theorems "$all" 10 "" clang -O2 $wall_c
-theorems "$all" 10 "" tcc
-theorems "$all" 10 "" musl-gcc -O1
-theorems "$all" 50 qemu-s390x $s390x -O1
-theorems "$some" 50 qemu-i386 $gcc32 -O1 -msse2 -mfpmath=sse
-theorems "$some" 50 qemu-i386 $gcc32 -O1 -mno-sse
-theorems "$some" 50 qemu-aarch64 $arm64 -O2
-theorems "$all" 10 "" clang -O1 -g $sanitize
-theorems "$all" 10 "" clang -O1 -g -fsanitize=memory
-theorems "$quick" 100 "valgrind -q --error-exitcode=9" gcc -O1 -g
+theorems "$all" 50 "" gcc -O0 $wall_c
+theorems "$all" 20 "" gcc -O3 -march=native -fno-math-errno
+theorems "$all" 20 "" clang -O2 $wall_c
+theorems "$all" 50 "" tcc
+theorems "$all" 50 "" musl-gcc -O1
+theorems "$all" 200 qemu-s390x $s390x -O1
+theorems "$some" 200 qemu-i386 $gcc32 -O1 -msse2 -mfpmath=sse
+theorems "$some" 200 qemu-i386 $gcc32 -O1 -mno-sse
+theorems "$some" 200 qemu-aarch64 $arm64 -O2
+theorems "$all" 50 "" clang -O1 -g $sanitize
+theorems "$all" 100 "" clang -O1 -g -fsanitize=memory
+theorems "$quick" 200 "valgrind -q --error-exitcode=9" gcc -O1 -g
 
 # batches: what threads, other instructions and plain C make of them
 for flags in "gcc -O2 -fopenmp" "gcc -O2 -DSURFMINK_NO_SIMD"; do

@@ -1744,6 +1744,7 @@ int main(void)
             prove_all();
         else
             NOTE("%s: not for this machine", instance_name(on_trial));
+    PROVE(outlines_without_corners_need_no_place_for_them);
 #ifdef SURFMINK__DISPATCHES
     PROVE(a_processor_gets_the_widest_instance_that_it_can_run);
     PROVE(avx2_and_avx512_agree_to_the_bit);
