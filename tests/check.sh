@@ -205,10 +205,10 @@ theorems "$all" 20 "" gcc -O3 -march=native -fno-math-errno
 theorems "$all" 20 "" clang -O2 $wall_c
 theorems "$all" 50 "" tcc
 theorems "$all" 50 "" musl-gcc -O1
-theorems "$all" 200 qemu-s390x $s390x -O1
-theorems "$some" 200 qemu-i386 $gcc32 -O1 -msse2 -mfpmath=sse
-theorems "$some" 200 qemu-i386 $gcc32 -O1 -mno-sse
-theorems "$some" 200 qemu-aarch64 $arm64 -O2
+theorems "$all" 1000 qemu-s390x $s390x -O1
+theorems "$some" 1000 qemu-i386 $gcc32 -O1 -msse2 -mfpmath=sse
+theorems "$some" 1000 qemu-i386 $gcc32 -O1 -mno-sse
+theorems "$some" 1000 qemu-aarch64 $arm64 -O2
 theorems "$all" 50 "" clang -O1 -g $sanitize
 theorems "$all" 100 "" clang -O1 -g -fsanitize=memory
 theorems "$quick" 200 "valgrind -q --error-exitcode=9" gcc -O1 -g

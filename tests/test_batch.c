@@ -944,7 +944,7 @@ THEOREM(an_outline_has_the_same_bits_wherever_it_stands_and_whoever_stands_besid
         for (i = 0; i < MIXED; ++i) check_order(&b, &all, &i, 1, WITHOUT_SCRATCH);
         for (i = 0; i < MIXED; ++i) order[i] = i;
         for (i = 2; i <= MIXED; i += i < 20 ? 1 : 11 * STRIDE) check_order(&b, &all, order, i, WITH_SCRATCH);
-        for (trial = 0; trial < 8; ++trial) {
+        for (trial = 0; trial < 8; trial += STRIDE) {
             shuffle(&c, order, MIXED);
             check_order(&b, &all, order, MIXED - one_of(&c, 100), trial % 2);
         }
@@ -1200,7 +1200,7 @@ THEOREM(corners_before_the_first_offset_are_not_looked_at)
             answers all, a;
             mixed_bundle(&b, (enum surface)surface, 100, 235);
             measure(&b, &all, WITH_SCRATCH);
-            for (first = 1; first < 100; first += first < 10 ? 1 : 15) {
+            for (first = 1; first < 100; first += first < 10 ? STRIDE : 15 * STRIDE) {
                 rest = b;
                 rest.offset += first;
                 rest.count -= first;

@@ -12,7 +12,10 @@
 
 #define P 12
 
-static const size_t million = 1000000;
+#ifndef FEWER
+#define FEWER 1 /* slow machines count a hundred thousand as a million */
+#endif
+static const size_t million = FEWER < 50 ? 1000000 : 100000;
 
 static double *room_for(size_t doubles)
 {
@@ -84,8 +87,8 @@ THEOREM(a_square_of_a_million_corners_is_a_square)
     CHECK_NEAR(mu[3], 0, 1e-15);
     CHECK_NEAR(mu[4], 1, 1e-15);
     CHECK_NEAR(theta[4], 0, 1e-15);
-    CHECK_NEAR(w.length, 1e6, 0);
-    CHECK_NEAR(w.area, 250000.0 * 250000.0, 0);
+    CHECK_NEAR(w.length, (double)million, 0);
+    CHECK_NEAR(w.area, (double)side * (double)side, 0);
     CHECK_NEAR(w.turning, 2 * PI, 1e-15);
     free(xy);
 }
@@ -139,7 +142,7 @@ THEOREM(a_circle_of_latitude_has_the_turning_and_the_area_of_its_closed_form)
 THEOREM(a_flower_of_a_million_corners_has_the_values_of_the_smooth_curve)
 {
     /* The second-order error of the polygon is 1e-10 there. */
-    size_t n = million, i;
+    size_t n = 1000000, i;
     double *xyz = room_for(3 * n), *normal = room_for(3 * n), mu[P + 1];
     surfmink_functionals w;
     table t;
