@@ -2584,7 +2584,7 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
     while (solid_angle > surfmink__two_pi) solid_angle -= 2 * surfmink__two_pi;
     while (solid_angle <= -surfmink__two_pi) solid_angle += 2 * surfmink__two_pi;
     solid_angle = solid_angle * radius * radius;
-    if (!surfmink__finite(&solid_angle, 1)) return SURFMINK_NOT_FINITE;
+    if (!(surfmink__abs(solid_angle) <= 1.7976931348623157e308)) return SURFMINK_NOT_FINITE;
     *area = solid_angle;
     return SURFMINK_OK;
 }
