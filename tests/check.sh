@@ -209,10 +209,11 @@ theorems "$all" 1000 qemu-s390x $s390x -O1
 theorems "$some" 1000 qemu-i386 $gcc32 -O1 -msse2 -mfpmath=sse
 theorems "$some" 1000 qemu-i386 $gcc32 -O1 -mno-sse
 theorems "$some" 1000 qemu-aarch64 $arm64 -O2
-theorems "$all" 50 "" clang -O1 -g $sanitize
+theorems "$all" 1000 "" clang -O1 -g $sanitize
 theorems "$all" 100 "" clang -O1 -g -fsanitize=memory -DSURFMINK_NO_SIMD
 check "clang -fsanitize=memory, batches in vector instructions" "
-    clang -std=c99 -O1 -g -fsanitize=memory -I. tests/check/outputs.c -o $here/outputs -lm && $(quietly "$here/outputs")"
+    clang -std=c99 -O1 -g -fsanitize=memory -I. tests/check/outputs.c -o $here/outputs -lm &&
+    $(quietly "$here/outputs")"
 theorems "$quick" 200 "valgrind -q --error-exitcode=9" gcc -O1 -g
 
 # batches: what threads, other instructions and plain C make of them
