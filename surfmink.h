@@ -2922,15 +2922,17 @@ SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vec
 
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
 {
-    double largest;
+    double size[2]; /* lambda and lambda / L */
     const double *at;
     int p;
     if (max_rank < 0) return SURFMINK_BAD_ARGUMENT;
     if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
     if (!(g[0] > 0)) return SURFMINK_BAD_ARGUMENT;
     for (p = 0; p <= max_rank; ++p) {
-        largest = surfmink__max_abs(g + 2 * (size_t)p, 2);
-        if (!(largest <= 1e308 && largest / g[0] <= 1e308)) return SURFMINK_NOT_FINITE; /* or |g_p| may not be */
+        at = g + 2 * (size_t)p;
+        size[0] = surfmink__modulus(at[0], at[1]);
+        size[1] = size[0] / g[0];
+        if (!surfmink__finite(size, 2)) return SURFMINK_NOT_FINITE;
     }
     for (p = 0; p <= max_rank; ++p) {
         at = g + 2 * (size_t)p;

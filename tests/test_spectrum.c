@@ -59,6 +59,20 @@ THEOREM(each_output_of_the_spectrum_may_be_left_out)
     CHECK_OK(surfmink_spectrum(g, 1, NULL, NULL, NULL));
 }
 
+/* A past bug: L above 1e308 was measured, but its spectrum was refused. */
+THEOREM(whatever_is_measured_has_a_spectrum_up_to_the_largest_doubles)
+{
+    static const double normal[12] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+    const double side = 4.2e307; /* L = 1.68e308, and the largest double is 1.797e308 */
+    const double corner[12] = {0, 0, 0, side, 0, 0, side, side, 0, 0, side, 0};
+    double g[10], lambda[5], mu[5];
+    CHECK_OK(surfmink_measure_embedded(corner, normal, 4, 4, NULL, g, NULL, NULL));
+    CHECK_OK(surfmink_spectrum(g, 4, lambda, mu, NULL));
+    CHECK_CLOSE(lambda[0], 4 * side, 1e-15);
+    CHECK_CLOSE(lambda[4], 4 * side, 1e-15);
+    CHECK_NEAR(mu[4], 1, 1e-15);
+}
+
 THEOREM(the_first_angle_lies_above_minus_pi_over_p_and_reaches_plus_pi_over_p)
 {
     double g[2 * (P + 1)] = {1, 0}, theta[P + 1];
@@ -412,6 +426,7 @@ int main(void)
 {
     PROVE(eigenvalues_are_the_moduli_and_angles_the_arguments_of_the_components);
     PROVE(each_output_of_the_spectrum_may_be_left_out);
+    PROVE(whatever_is_measured_has_a_spectrum_up_to_the_largest_doubles);
     PROVE(the_first_angle_lies_above_minus_pi_over_p_and_reaches_plus_pi_over_p);
     PROVE(there_are_p_angles_of_either_sign_half_a_step_apart);
     PROVE(eigenvectors_solve_the_z_eigenvector_equation);
