@@ -201,7 +201,7 @@ SURFMINK_DEF int surfmink_measure_plane(const double *corner, size_t n, int max_
 /* Measures a polygon of great-circle arcs on the sphere of the given radius about the origin.
    corner      3 n    x y z of each corner; only its direction counts, so it may lie a little off the sphere, or on
                       the unit sphere while radius gives the unit of the lengths
-   radius             > 0
+   radius             > 0, at most 1e307
    The rest, spikes and cost as in surfmink_measure_plane. Edges are shorter than half a great circle.
    Errors: as in the plane, and ZERO_NORMAL (a corner at the origin), ANTIPODAL_CORNERS, TOO_MUCH_CURVATURE (a
    great circle). CROSSES_ITSELF: S + area / R^2 is not 2 pi. More than a hemisphere has S < 0: CLOCKWISE. */

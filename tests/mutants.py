@@ -16,8 +16,8 @@ what only AVX2 and AVX-512 use is compiled for those. What is still alive is run
 number has changed: writing past an array is no wrong result, but a fault. A theorem is asked only if it runs the line
 that was changed, and those first that have killed in the same function. What became of a mutant is remembered in
 DIRECTORY by the text of its function and of the theorems, so that after an edit only what it touches is done again;
---again repeats survivors only, --quick leaves out the sanitizers and slow theorems. Lines for other processors are not
-mutated: tests/check.sh runs the tests on arm64. Needs tcc, gcc, addr2line and x86-64 with AVX-512; uses clang if there
+--again repeats survivors only, --quick leaves out the sanitizers and slow theorems. Lines for other processors and
+hints to the cache are not mutated: tests/check.sh runs the tests on arm64. Needs tcc, gcc, addr2line and x86-64 with AVX-512; uses clang if there
 is one.
 """
 
@@ -138,6 +138,10 @@ class Header:
         if not re.match(r'\s+(static )?(const )?(double|int|size_t|surfmink_\w+|SURFMINK__\(\w+\)) ', line): return []
         return [m.span(1) for m in re.finditer(r'[ *]\w+\[([^\[\]]*)\](?=,|;| =)', line)]
 
+    def is_hint(self, number):
+        """Does the line only tell the cache what will be read? No result can depend on it."""
+        return self.functions[number][0] == 'prefetch' or re.search('prefetch|PREFETCH|ahead', self.lines[number])
+
     def find_mutants(self):
         heads = set() # parameters
         for _, first, last in set(self.functions):
@@ -147,7 +151,7 @@ class Header:
         found = tokens(self.text)
         for k, (at, token) in enumerate(found):
             number = self.text.count('\n', 0, at)
-            if not self.first < number < self.last or self.where[number] is None: continue
+            if not self.first < number < self.last or self.where[number] is None or self.is_hint(number): continue
             line, column = self.lines[number], at - self.starts[number]
             macro = MACRO.match(line)
             if macro and column < macro.end(): continue
@@ -159,7 +163,7 @@ class Header:
         # Whole statements left out, and conditions that are always or never so.
         for number in range(self.first + 1, self.last):
             line, at = self.lines[number], self.starts[number]
-            if self.where[number] is None or not line.startswith('    '): continue
+            if self.where[number] is None or self.is_hint(number) or not line.startswith('    '): continue
             statement = re.match(r'(\s+)((?:\*?[\w\[\].>-]+(?: [-+*/]?= |\().*|SURFMINK__\(\w+\)\(.*|\+\+.*|--.*);)',
                                  line)
             if statement and not re.match(r'\s+(return|const|double|int|size_t|case|if|for|while)\b', line):

@@ -312,7 +312,7 @@ THEOREM(what_overflows_is_not_finite)
 
 THEOREM(a_sphere_has_a_centre_antipodes_and_a_positive_radius)
 {
-    static const double wrong_radius[3] = {0, -1, -0.0};
+    static const double wrong_radius[4] = {0, -1, -0.0, 1.0000001e307};
     double corner[15], infinite = infinity_();
     size_t i;
     for (i = 0; i < 5; ++i) {
@@ -333,8 +333,10 @@ THEOREM(a_sphere_has_a_centre_antipodes_and_a_positive_radius)
         REFUSES(surfmink_area_sphere(corner, 5, 1.0, &out.mu[0]), SURFMINK_ANTIPODAL_CORNERS);
     }
     pentagon(SPHERE, corner);
-    for (i = 0; i < 5; ++i) {
-        double radius = i < 3 ? wrong_radius[i] : i == 3 ? infinite : nan_();
+    CHECK_OK(surfmink_edges_sphere(corner, 5, 1e307, out.length, out.turning, &bad));
+    CHECK_OK(surfmink_from_lonlat(10, 20, 1e307, out.vector));
+    for (i = 0; i < 6; ++i) {
+        double radius = i < 4 ? wrong_radius[i] : i == 4 ? infinite : nan_();
         CASE("radius %g", radius);
         BLAMES(surfmink_measure_sphere(corner, 5, radius, 3, out.mu, out.g, &out.w, &bad), SURFMINK_BAD_ARGUMENT, 5);
         BLAMES(surfmink_edges_sphere(corner, 5, radius, out.length, out.turning, &bad), SURFMINK_BAD_ARGUMENT, 5);
