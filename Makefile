@@ -42,7 +42,15 @@ $(BUILD)/%: examples/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
-$(BUILD)/test_%: tests/test_%.c $(headers)
+# The implementation is compiled once for all tests but one, which looks inside.
+$(BUILD)/surfmink.o: surfmink.h
+	@mkdir -p $(@D)
+	$(CC) -std=c99 -DSURFMINK_IMPLEMENTATION $(CPPFLAGS) -I. $(CFLAGS) -x c -c $< -o $@
+
+$(BUILD)/test_%: tests/test_%.c $(BUILD)/surfmink.o $(headers)
+	$(CC) -std=c99 -DSURFMINK_IMPLEMENTED $(CPPFLAGS) -I. $(CFLAGS) $< $(BUILD)/surfmink.o -o $@ $(LDFLAGS) $(LDLIBS)
+
+$(BUILD)/test_batch: tests/test_batch.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 

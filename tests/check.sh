@@ -188,16 +188,25 @@ done
 
 # theorems PROGRAMS FEWER RUNNER COMPILER FLAGS...: the test programs, built by another compiler, with other flags or
 # for another machine; of batches a part. The machines that round like x86-64 (see "determinism") run $some of them.
+# The implementation is compiled once for all of them, but for those that look inside.
+objects=$work/objects
+mkdir -p "$objects"
+inside=$(grep -l 'surfmink__' tests/test_*.c)
 all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
 quick=$(echo "$all" | tr ' ' '\n' | grep -vE 'test_(long|mesh|paper|surfaces)' | tr '\n' ' ') # under valgrind
 theorems() {
-    programs=$1 fewer=$2 runner=$3
+    programs=$1 fewer=$2 runner=$3 number_before=$number
     shift 3
     for program in $programs; do
-        check "$(short "$*"), $program" "$* -std=c99 -DFEWER=$fewer -I. $program -o $here/theorem -lm &&
+        object="-DSURFMINK_IMPLEMENTED $objects/$number_before.o"
+        case " $(echo $inside) " in *" $program "*) object= ;; esac
+        check "$(short "$*"), $program" "$* -std=c99 -DFEWER=$fewer -I. $program $object -o $here/theorem -lm &&
             $(quietly "$runner $here/theorem")"
     done
+    [ $number -eq $number_before ] ||
+        echo "$* -std=c99 -DSURFMINK_IMPLEMENTATION -I. -x c -c surfmink.h -o $objects/$number_before.o" \
+            > "$objects/$number_before.sh"
 }
 sanitize="-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all"
 theorems "$all" 50 "" gcc -O0 $wall_c
@@ -358,6 +367,7 @@ check "the version stands on line 1 and in the macros" "v=\$(sed -n '1s/.* v\([0
     grep -q \"#define SURFMINK_VERSION  *\\\"\$v\\\"\" surfmink.h"
 
 # --- all of them ------------------------------------------------------------------------------------------------------
+pool "$objects"
 pool "$list"
 passed=0 failed=0
 for script in "$list"/*.sh; do
