@@ -3,6 +3,7 @@
 #   make            the commands: .build/surfmink, .build/levelset, .build/tissue
 #   make demo       measures countries, the H3 grid and a tissue; pictures in .build/demo/
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
+#   make pictures   the pictures of docs/theory.md, and the numbers behind them, in .build/pictures/
 #   make test       all tests; needs cc and make, nothing else
 #   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
@@ -11,7 +12,7 @@
 #   make fuzz       every public function and reader under clang's libFuzzer; SECONDS=60 for each
 #   make coverage   lines and branches of surfmink.h that no test takes; needs gcc, gcov, python3
 #   make mutants    do the tests notice a broken surfmink.h? hours; needs tcc, gcc, python3; MUTANTS=--sample=200
-#   make install    header, pkg-config file and commands; PREFIX=/usr/local, DESTDIR= for packagers
+#   make install    header, pkg-config file, commands and their man pages; PREFIX=/usr/local, DESTDIR= for packagers
 #   make clean      removes .build/, where everything goes
 #
 # CC, CFLAGS and LDFLAGS are yours to set.  (GNU make)
@@ -25,6 +26,7 @@ VERSION := $(shell sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
 
 commands = surfmink levelset tissue
 experiments = $(patsubst examples/paper/%.c,$(BUILD)/paper_%,$(wildcard examples/paper/*.c))
+theories = $(patsubst examples/theory/%.c,$(BUILD)/theory_%,$(wildcard examples/theory/*.c))
 theorems = $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/test_*.c))
 headers = surfmink.h $(wildcard examples/*.h examples/*/*.h tests/*.h)
 
@@ -58,6 +60,10 @@ $(BUILD)/paper_%: examples/paper/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
+$(BUILD)/theory_%: examples/theory/%.c $(headers)
+	@mkdir -p $(@D)
+	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
+
 demo: $(BUILD)/surfmink
 	@sh examples/demo.sh $(BUILD)/surfmink $(BUILD)/demo
 
@@ -65,13 +71,19 @@ paper: $(experiments)
 	@mkdir -p $(BUILD)/paper
 	@status=0; for experiment in $(experiments); do $$experiment $(BUILD)/paper || status=1; done; exit $$status
 
-test: all $(theorems)
+pictures: $(theories)
+	@mkdir -p $(BUILD)/pictures
+	@status=0; for theory in $(theories); do $$theory $(BUILD)/pictures || status=1; echo; done; exit $$status
+
+test: all $(theorems) $(theories)
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
 	  "sh tests/test_abuse.sh $(BUILD)" \
 	  "sh tests/test_fuzzed.sh" \
-	  "sh tests/test_readme.sh $(BUILD) '$(CC)'"
+	  "sh tests/test_docs.sh $(BUILD) '$(CC)'" \
+	  "sh tests/test_manual.sh $(BUILD)" \
+	  "sh tests/test_links.sh"
 
 accuracy:
 	@mkdir -p $(BUILD)
@@ -118,9 +130,11 @@ check: all
 	@sh tests/run.sh $(BUILD)/check.total "sh tests/check.sh $(BUILD)/check"
 
 install: $(BUILD)/surfmink $(BUILD)/levelset
-	install -d $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/pkgconfig
+	install -d $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/pkgconfig \
+	  $(DESTDIR)$(PREFIX)/share/man/man1
 	install -m 644 surfmink.h $(DESTDIR)$(PREFIX)/include/surfmink.h
 	install -m 755 $(BUILD)/surfmink $(BUILD)/levelset $(DESTDIR)$(PREFIX)/bin
+	install -m 644 docs/surfmink.1 docs/levelset.1 $(DESTDIR)$(PREFIX)/share/man/man1
 	printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' '' 'Name: surfmink' \
 	  'Description: surface Minkowski tensors of closed curves, one C header' 'Version: $(VERSION)' \
 	  'Cflags: -I$${includedir}' 'Libs: -lm' > $(DESTDIR)$(PREFIX)/share/pkgconfig/surfmink.pc
@@ -128,4 +142,4 @@ install: $(BUILD)/surfmink $(BUILD)/levelset
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper test check accuracy bench bench-count fuzz coverage mutants install clean
+.PHONY: all demo paper pictures test check accuracy bench bench-count fuzz coverage mutants install clean
