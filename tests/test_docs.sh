@@ -4,7 +4,7 @@
 # header is compiled too.
 #
 #   ```c              a program
-#   ```sh             commands; they find examples/ and surfmink.h, and what earlier blocks of the page have written
+#   ```sh             commands; they find examples/, tests/ and surfmink.h, and what earlier blocks of the page have written
 #   ```sh jq          commands that need more than a shell: run only with --tools, where everything is installed
 #   ```python skimage the same for Python
 #   ```sh untested    not run at all; the page says so, too
@@ -58,20 +58,22 @@ run_block() {
     sh) sh "$2" ;;
     python) "$python" "$2" ;;
     gnuplot) gnuplot "$2" ;;
+    r) Rscript --vanilla "$2" ;;
     esac
 }
 
 for page in README.md docs/*.md; do
     rm -rf "$work"/block.* "$work/page"
     mkdir "$work/page"
-    ln -s "$root/examples" "$root/surfmink.h" "$work/page"
+    ln -s "$root/examples" "$root/tests" "$root/surfmink.h" "$work/page"
     cut_blocks "$page" > "$work/list"
     while read -r number kind words; do
         block=$work/block.$number
         name="$page, block $((number - 100)), $kind $words"
         case $kind in
-        c | sh | python | gnuplot) ;;
-        bibtex | yaml | json | r | java | jq) continue ;; # for reading; a page says of programs that they are not tested
+        c | sh | python) ;;
+        gnuplot | r) words="$kind $words" ;; # tools themselves
+        bibtex | yaml | json | java) continue ;; # for reading; a page says of programs that they are not tested
         *)
             check "$name: a kind that is known" "$kind" "c, sh, ..."
             continue ;;

@@ -9,15 +9,11 @@ version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
 for command in surfmink levelset; do
     page=docs/$command.1
     "$build/$command" --help > "$work/help"
-    # in mdoc an option is .It Fl -name, and .It Fl -name Ar VALUE if it takes one
-    sed -n 's/^  --\([a-z-]*\).*/\1/p' "$work/help" | sort > "$work/options"
-    sed -n 's/^\.It Fl -\([a-z-]*\).*/\1/p' "$page" | sort > "$work/described"
-    check "$page has the options of --help" "$(cat "$work/described")" "$(cat "$work/options")"
+    # in mdoc an option is .It Fl -name, and .It Fl -name Ar VALUE if it takes one; in --help one blank goes before VALUE
+    awk '/^  --/ { print substr($1, 3) (/^  --[a-z-]+ [^ ]/ ? " " $2 : "") }' "$work/help" | sort > "$work/options"
+    sed -n 's/^\.It Fl -//p' "$page" | sed 's/ Ar / /; s/ Cm / /; s/ | /|/g' | sort > "$work/described"
+    check "$page has the options and values of --help" "$(cat "$work/described")" "$(cat "$work/options")"
     check "$command has options" "$(($(wc -l < "$work/options") > 5))" 1
-    # what stands in capitals, or with | between, is a value
-    sed -n 's/^  --\([a-z-]*\) \([A-Z][A-Z:,_]*\|[a-z_]*|[a-z|]*\|mu_p\)  .*/\1 \2/p' "$work/help" | sort > "$work/options"
-    sed -n 's/^\.It Fl -\([a-z-]*\) \(.*\)/\1 \2/p' "$page" | sed 's/ Ar / /; s/ Cm / /g; s/ | /|/g' | sort > "$work/described"
-    check "$page has the values of --help" "$(cat "$work/described")" "$(cat "$work/options")"
     for section in NAME SYNOPSIS DESCRIPTION EXAMPLES "EXIT STATUS"; do
         has "$page has a section $section" "$page" ".Sh $section"
     done
