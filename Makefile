@@ -126,7 +126,7 @@ mutants:
 	@mkdir -p $(BUILD)/mutants
 	python3 tests/mutants.py --jobs 2 $(MUTANTS) $(BUILD)/mutants
 
-check: all
+check: all $(theories)
 	@sh tests/run.sh $(BUILD)/check.total "sh tests/check.sh $(BUILD)/check"
 
 install: $(BUILD)/surfmink $(BUILD)/levelset

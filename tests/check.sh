@@ -357,9 +357,22 @@ check "make demo: valid pictures, that of the README among them" "$(quietly "mak
 check "make paper: every printed digit, and the pictures of docs/paper.md" "$(quietly "make -s paper") &&
     xmllint --noout .build/paper/*.svg &&
     for picture in docs/paper/*.svg; do cmp .build/paper/\${picture##*/} \$picture; done"
+check "make pictures: those of docs/theory.md, to the byte" "$(quietly "make -s pictures") &&
+    xmllint --noout .build/pictures/*.svg &&
+    for picture in .build/pictures/*.svg; do cmp \$picture docs/pictures/\${picture##*/}; done"
+check "the programs of docs/theory.md: silent, with sanitizers" "for program in examples/theory/*.c; do
+        gcc -std=c99 $wall_c -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. \$program \
+            -o $here/program -lm && $here/program $here > $here/quiet 2>&1 || cat $here/quiet
+    done"
+check "every block of the documentation, with the programs it needs" "
+    $(quietly "sh tests/test_docs.sh .build gcc --tools")"
+check "man pages: mandoc and groff find nothing" "mandoc -T lint -W warning docs/*.1 &&
+    for page in docs/*.1; do groff -mandoc -Tutf8 -ww -z \$page; done"
+check "CITATION.cff is YAML" "/usr/bin/python3 -c 'import yaml; yaml.safe_load(open(\"docs/CITATION.cff\"))'"
 check "make install" "$(quietly "make -s install DESTDIR=$here/installed PREFIX=/usr")
     PKG_CONFIG_PATH=$here/installed/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' &&
-    test -x $here/installed/usr/bin/surfmink"
+    test -x $here/installed/usr/bin/surfmink && test -s $here/installed/usr/share/man/man1/surfmink.1 &&
+    test -s $here/installed/usr/share/man/man1/levelset.1"
 check "layout" "clang-format-14 --dry-run --Werror surfmink.h \$(find examples tests -name '*.[ch]')"
 check "lines of at most 120 columns" "awk 'length > 120 { print FILENAME \":\" FNR }' surfmink.h Makefile \
     \$(find examples tests -name '*.[ch]' -o -name '*.sh')"

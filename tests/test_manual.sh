@@ -9,7 +9,7 @@ version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
 for command in surfmink levelset; do
     page=docs/$command.1
     "$build/$command" --help > "$work/help"
-    # in mdoc an option is .It Fl -name, and .It Fl -name Ar VALUE if it takes one; in --help one blank goes before VALUE
+    # in mdoc an option is .It Fl -name, or .It Fl -name Ar VALUE; in --help one blank goes before VALUE
     awk '/^  --/ { print substr($1, 3) (/^  --[a-z-]+ [^ ]/ ? " " $2 : "") }' "$work/help" | sort > "$work/options"
     sed -n 's/^\.It Fl -//p' "$page" | sed 's/ Ar / /; s/ Cm / /; s/ | /|/g' | sort > "$work/described"
     check "$page has the options and values of --help" "$(cat "$work/described")" "$(cat "$work/options")"

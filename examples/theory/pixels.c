@@ -2,9 +2,9 @@
 
      cc pixels.c -o pixels -lm && ./pixels DIRECTORY               (from the root: make pictures)
 
-   Discs and hexagons of pixels, traced along the sides of their pixels. All edges of such an outline run along the axes,
-   so mu_4 = 1 whatever the shape and the resolution. Passes of the 3-point mean, --smooth K of the command, take that
-   away; too many take the corners of the hexagon away, too. */
+   Discs and hexagons of pixels, traced along the sides of their pixels. All edges of such an outline run along the
+   axes, so mu_4 = 1 whatever the shape and the resolution. Passes of the 3-point mean, --smooth K of the command, take
+   that away; too many take the corners of the hexagon away, too. */
 
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
@@ -23,8 +23,8 @@ typedef struct outline {
     double corner[2 * MOST];
 } outline;
 
-/* Is the middle of a pixel inside? No sides: a disc. The hexagon is turned by 10 degrees, so that none of its sides runs
-   along the pixels. */
+/* Is the middle of a pixel inside? No sides: a disc. The hexagon is turned by 10 degrees, so that none of its sides
+   runs along the pixels. */
 static int inside(int sides, double radius, int i, int j)
 {
     int k;
