@@ -4,7 +4,7 @@
 # header is compiled too.
 #
 #   ```c              a program
-#   ```sh             commands; they find examples/, tests/, surfmink.h, and what earlier blocks of the page have written
+#   ```sh             commands, in a folder with examples/, tests/, surfmink.h and what earlier blocks have written
 #   ```sh jq          commands that need more than a shell: run only with --tools, where everything is installed
 #   ```python skimage the same for Python
 #   ```sh untested    not run at all; the page says so, too
