@@ -82,7 +82,7 @@ static void draw_sizes(plot *p, double left, double top)
     static double angle[SIZES], corrected[2][SIZES], parallel[2][SIZES];
     surfmink_surface sphere = surfmink_sphere(&radius);
     static const double centre[3] = {0, 0, 1};
-    int k;
+    int i, k;
     axes.left = left;
     axes.top = top;
     puts("\nregular triangles on the unit sphere, mu_3 and mu_4\ncorners   area   corrected      parallel");
@@ -101,13 +101,17 @@ static void draw_sizes(plot *p, double left, double top)
     }
     plot_frame(p, &axes, 30, 0.5, "angle of the corners, degrees", "$\\mu_3$, $\\mu_4$");
     plot_curve(p, &axes, angle, corrected[0], SIZES, plot_pens[0], PLOT_NONE);
-    plot_curve(p, &axes, angle, corrected[1], SIZES, plot_pens[2], PLOT_NONE);
-    plot_curve(p, &axes, angle, parallel[0], SIZES, plot_pens[3], PLOT_NONE);
-    plot_curve(p, &axes, angle, parallel[1], SIZES, plot_pens[4], PLOT_NONE);
+    plot_curve(p, &axes, angle, corrected[1], SIZES, plot_pens[7], PLOT_NONE);
+    for (i = 0; i < 2; ++i) {
+        plot_curve(p, &axes, angle, parallel[i], SIZES, plot_pens[1 + i], PLOT_NONE);
+        for (k = 12; k < SIZES; k += 4)
+            plot_mark(p, plot_markers[1 + i], plot_x(&axes, angle[k]), plot_y(&axes, parallel[i][k]), 3,
+                      plot_pens[1 + i].colour);
+    }
     plot_key(p, left, top + 226, plot_pens[0], PLOT_NONE, "$\\mu_3$, corrected");
-    plot_key(p, left, top + 242, plot_pens[2], PLOT_NONE, "$\\mu_4$, corrected");
-    plot_key(p, left + 120, top + 226, plot_pens[3], PLOT_NONE, "$\\mu_3$, parallel");
-    plot_key(p, left + 120, top + 242, plot_pens[4], PLOT_NONE, "$\\mu_4$, parallel");
+    plot_key(p, left, top + 242, plot_pens[7], PLOT_NONE, "$\\mu_4$, corrected");
+    plot_key(p, left + 120, top + 226, plot_pens[1], plot_markers[1], "$\\mu_3$, parallel");
+    plot_key(p, left + 120, top + 242, plot_pens[2], plot_markers[2], "$\\mu_4$, parallel");
 }
 
 int main(int argc, char **argv)
