@@ -44,7 +44,7 @@ $(BUILD)/%: examples/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
-# The implementation is compiled once for all tests but one, which looks inside.
+# The implementation is compiled once for all tests but one, which looks inside, and for the pictures.
 $(BUILD)/surfmink.o: surfmink.h
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTATION $(CPPFLAGS) -I. $(CFLAGS) -x c -c $< -o $@
@@ -60,9 +60,8 @@ $(BUILD)/paper_%: examples/paper/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
-$(BUILD)/theory_%: examples/theory/%.c $(headers)
-	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
+$(BUILD)/theory_%: examples/theory/%.c $(BUILD)/surfmink.o $(headers)
+	$(CC) -std=c99 -DSURFMINK_IMPLEMENTED $(CPPFLAGS) -I. $(CFLAGS) $< $(BUILD)/surfmink.o -o $@ $(LDFLAGS) $(LDLIBS)
 
 demo: $(BUILD)/surfmink
 	@sh examples/demo.sh $(BUILD)/surfmink $(BUILD)/demo
