@@ -8,6 +8,8 @@
 #   ```sh jq          commands that need more than a shell: run only with --tools, where everything is installed
 #   ```python skimage the same for Python
 #   ```sh untested    not run at all; the page says so, too
+#
+# A page with a line <!-- run by tests/NAME.sh --> is left to that test.
 . "$(dirname "$0")/harness.sh"
 build=$(absolute "$1") cc=$2 tools=$3
 root=$PWD
@@ -63,6 +65,11 @@ run_block() {
 }
 
 for page in README.md docs/*.md; do
+    other=$(sed -n 's/^<!-- run by \(tests\/[a-z_]*\.sh\) -->$/\1/p' "$page")
+    if [ "$other" ]; then
+        has "$page is run by $other" "${other%%[!a-z_/.]*}" "$page"
+        continue
+    fi
     rm -rf "$work"/block.* "$work/page"
     mkdir "$work/page"
     ln -s "$root/examples" "$root/tests" "$root/surfmink.h" "$work/page"
