@@ -67,7 +67,7 @@ run_block() {
 for page in README.md docs/*.md; do
     other=$(sed -n 's/^<!-- run by \(tests\/[a-z_]*\.sh\) -->$/\1/p' "$page")
     if [ "$other" ]; then
-        has "$page is run by $other" "${other%%[!a-z_/.]*}" "$page"
+        has "$page is run by $other" "$other" "$page"
         continue
     fi
     rm -rf "$work"/block.* "$work/page"
