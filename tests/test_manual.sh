@@ -33,8 +33,8 @@ paper=$(sed -n 's/.*value: arXiv:\([0-9.]*\).*/\1/p' docs/CITATION.cff)
 has "README.md cites the paper of CITATION.cff" README.md "${paper:-nothing}"
 
 # --- pictures ---------------------------------------------------------------------------------------------------------
-# alike NAME GOT WANT: the same but for the last digit of numbers, which may depend on compiler and libm, and but for the
-# angle by which a circle is turned.
+# alike NAME GOT WANT: the same but for the last digit of numbers, which may depend on compiler and libm, and but for
+# the angle by which a circle is turned.
 alike() {
     awk -v other="$3" '
         function plain(text,    part) {
