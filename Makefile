@@ -12,6 +12,8 @@
 #   make fuzz       every public function and reader under clang's libFuzzer; SECONDS=60 for each
 #   make coverage   lines and branches of surfmink.h that no test takes; needs gcc, gcov, python3
 #   make mutants    do the tests notice a broken surfmink.h? hours; needs tcc, gcc, python3; MUTANTS=--sample=200
+#   make shared     .build/libsurfmink.so, for other languages: docs/languages.md
+#   make install-shared  the same, to PREFIX/lib
 #   make install    header, pkg-config file, commands and their man pages; PREFIX=/usr/local, DESTDIR= for packagers
 #   make clean      removes .build/, where everything goes
 #
@@ -23,6 +25,20 @@ PREFIX ?= /usr/local
 LDLIBS = -lm
 BUILD = .build
 VERSION := $(shell sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
+
+# The library that make shared builds. Before 1.0 the second number of the version may change what programs rely on.
+ABI := $(if $(filter 0.%,$(VERSION)),$(basename $(VERSION)),$(firstword $(subst ., ,$(VERSION))))
+ifeq ($(shell uname -s),Darwin)
+library = libsurfmink.$(VERSION).dylib
+library_abi = libsurfmink.$(ABI).dylib
+library_link = libsurfmink.dylib
+LIBRARY_FLAGS = -dynamiclib -Wl,-install_name,$(PREFIX)/lib/$(library_abi)
+else
+library = libsurfmink.so.$(VERSION)
+library_abi = libsurfmink.so.$(ABI)
+library_link = libsurfmink.so
+LIBRARY_FLAGS = -shared -Wl,-soname,$(library_abi)
+endif
 
 commands = surfmink levelset tissue
 experiments = $(patsubst examples/paper/%.c,$(BUILD)/paper_%,$(wildcard examples/paper/*.c))
@@ -62,6 +78,16 @@ $(BUILD)/paper_%: examples/paper/%.c $(headers)
 
 $(BUILD)/theory_%: examples/theory/%.c $(BUILD)/surfmink.o $(headers)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTED $(CPPFLAGS) -I. $(CFLAGS) $< $(BUILD)/surfmink.o -o $@ $(LDFLAGS) $(LDLIBS)
+
+shared: $(BUILD)/$(library)
+
+$(BUILD)/$(library): surfmink.h
+	@mkdir -p $(@D)
+	$(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -fPIC -fvisibility=hidden -DSURFMINK_IMPLEMENTATION \
+	  '-DSURFMINK_DEF=__attribute__((visibility("default"))) extern' $(LIBRARY_FLAGS) -x c $< -x none -o $@ \
+	  $(LDFLAGS) $(LDLIBS)
+	ln -sf $(library) $(BUILD)/$(library_abi)
+	ln -sf $(library_abi) $(BUILD)/$(library_link)
 
 demo: $(BUILD)/surfmink
 	@sh examples/demo.sh $(BUILD)/surfmink $(BUILD)/demo
@@ -138,7 +164,13 @@ install: $(BUILD)/surfmink $(BUILD)/levelset
 	  'Description: surface Minkowski tensors of closed curves, one C header' 'Version: $(VERSION)' \
 	  'Cflags: -I$${includedir}' 'Libs: -lm' > $(DESTDIR)$(PREFIX)/share/pkgconfig/surfmink.pc
 
+install-shared: shared
+	install -d $(DESTDIR)$(PREFIX)/lib
+	install -m 755 $(BUILD)/$(library) $(DESTDIR)$(PREFIX)/lib/$(library)
+	ln -sf $(library) $(DESTDIR)$(PREFIX)/lib/$(library_abi)
+	ln -sf $(library_abi) $(DESTDIR)$(PREFIX)/lib/$(library_link)
+
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper pictures test check accuracy bench bench-count fuzz coverage mutants install clean
+.PHONY: all demo paper pictures test check accuracy bench bench-count fuzz coverage mutants shared install install-shared clean
