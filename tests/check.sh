@@ -373,6 +373,8 @@ check "make install" "$(quietly "make -s install DESTDIR=$here/installed PREFIX=
     PKG_CONFIG_PATH=$here/installed/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' &&
     test -x $here/installed/usr/bin/surfmink && test -s $here/installed/usr/share/man/man1/surfmink.1 &&
     test -s $here/installed/usr/share/man/man1/levelset.1"
+check "other languages: docs/languages.md, and the same story in each" \
+    "$(quietly "sh tests/test_languages.sh .build/surfmink")"
 check "layout" "clang-format-14 --dry-run --Werror surfmink.h \$(find examples tests -name '*.[ch]')"
 check "lines of at most 120 columns" "awk 'length > 120 { print FILENAME \":\" FNR }' surfmink.h Makefile \
     \$(find examples tests -name '*.[ch]' -o -name '*.sh')"

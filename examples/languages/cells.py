@@ -1,4 +1,4 @@
-"""Are the cells of a tissue hexagons? The same story in C, Python, Fortran, R and Julia, with the same output.
+"""Are the cells of a tissue hexagons? The same story in Python, Fortran, R and Julia, with the same output.
 
     make shared
     SURFMINK_LIBRARY=.build/libsurfmink.so python3 examples/languages/cells.py examples/data/tissue.tsv
@@ -28,4 +28,4 @@ for n in range(4, 10):
 # mu_2 is elongation. theta says where: from the outer co-normal of the first edge towards that edge.
 longest = cells.mu[:, 2].argmax()
 print("cell %d is the most elongated: mu_2 %.4f, theta_2 %.4f" % (
-    longest, cells.mu[longest, 2], cells.theta[longest, 2]))
+    table[offset[longest], 0], cells.mu[longest, 2], cells.theta[longest, 2]))
