@@ -1,0 +1,139 @@
+#!/bin/sh
+# test_scaling.sh COMMAND [MPI_CELLS]: a table that is measured in parts gives the bytes, complaints and exit status of
+# one run. Alone with COMMAND it needs a POSIX shell: examples/scaling/part.sh and slurm.sh. With MPI_CELLS, which is
+# examples/scaling/mpi_cells.c, it needs mpirun and GNU parallel, and looks at these.
+. "$(dirname "$0")/harness.sh"
+surfmink=$(absolute "$1")
+mpi_cells=${2:+$(absolute "$2")}
+scaling=$PWD/examples/scaling data=$PWD/examples/data
+export SURFMINK="$surfmink"
+cd "$work" || exit 1
+tab=$(printf '\t')
+
+# --- tables that are hard to cut --------------------------------------------------------------------------------------
+
+# Squares and others, some refused; comments and blank lines that mean nothing; the same id once more, later; a cell
+# that is longer than a part.
+named() {
+    printf '# cells\n\n  # of a tissue\ncell%sx%sy\n' "$1" "$1"
+    for cell in a b longer a; do
+        for corner in "0 0" "2 0" "2 1" "0 1"; do echo "$cell $corner"; done
+        echo "# after $cell"
+    done | tr ' ' "$1"
+    i=0
+    while [ $i -lt 40 ]; do
+        echo "$i" | awk '{ printf "round %.9f %.9f\n", cos($1 * 0.157), sin($1 * 0.157) }' | tr ' ' "$1"
+        i=$((i + 1))
+    done
+    printf '\nclockwise 0 0\nclockwise 0 1\n\nclockwise 1 0\nd 0 0\nd 1 0\nd 1 0\ne 0 0\ne 1 0\ne 0 1\n' | tr ' ' "$1"
+}
+unnamed() {
+    printf 'x y\n'
+    for height in 1 2 3; do
+        printf '0 0\n1 0\n1 %s\n# half of it\n0 %s\n\n' $height $height
+        printf '   \n\n'
+    done
+    printf '0 0\n0 1\n1 0\n\n0 0\n1 0\n0 1'
+}
+named "$tab" > tabs
+named "$tab" | sed "s/^d$tab/d $tab/" | awk 'NR % 3 { print; next } { print $0 "\r" }' > windows
+named , > commas.csv
+printf '\357\273\277' > blanks
+named ' ' | awk '{ print "  " $0 "  " }' >> blanks
+named "$tab" | awk -F "$tab" -v OFS="$tab" 'NF == 3 { print $2, $3, $1; next } { print }' > last
+unnamed > unnamed
+printf 'cell\tx\ty\n' > none
+printf 'cell\tx\ty' > torn
+printf 'cell\tx\ty\na\t0\t0\na\t1\t0\na\t0\t1' > one
+named "$tab" | sed "s/^b${tab}2${tab}1/b${tab}2${tab}one/" > no_number
+named "$tab" | sed "s/^b${tab}0${tab}1/b${tab}0${tab}1${tab}0/" > too_many
+named "$tab" | sed "s/^longer${tab}2${tab}0/longer/" > too_few
+named ' ' | awk 'NF == 3 && $1 != "cell" { print $2, $3; next } NR == 4 { print "x y n"; next } { print }' > no_id
+tables="tabs windows commas.csv blanks last unnamed none torn one no_number too_many too_few no_id"
+
+# single TABLE OPTION...: one run, to hold the others against.
+single() {
+    table=$1
+    shift
+    "$surfmink" "$@" "$table" > want 2> want.err
+    want=$?
+}
+
+# same NAME STATUS: what is in got and got.err.
+same() {
+    check "$1: exit status" "$2" "$want"
+    cmp want got > said 2>&1
+    count $? "$1: results" "$(cat said)" ""
+    cmp want.err got.err > said 2>&1
+    count $? "$1: complaints" "$(cat said; head -n 3 got.err)" "$(head -n 3 want.err)"
+}
+
+if [ ! "$mpi_cells" ]; then
+
+    # --- part.sh ------------------------------------------------------------------------------------------------------
+
+    # Wherever it is cut: the parts are the table, line by line, and no outline is in two of them.
+    parts() {
+        awk '{ print } !/^[ \t]*#/ && /[^ \t]/ { exit }' "$1" > names
+        lines=$(($(wc -l < names)))
+        awk -v lines=$lines 'NR > lines' "$1" > body
+        part=0 whole=0 split=0 total=0
+        : > joined
+        while [ $part -lt "$2" ]; do
+            sh "$scaling/part.sh" $part "$2" "$1" counts > piece
+            awk -v lines=$lines 'NR > lines' piece > piece.body
+            head -n $lines piece | cmp -s - names || whole=$((whole + 1))
+            read -r a b c < counts
+            [ "$a" -eq $lines ] && [ "$b" -eq $(($(wc -l < piece.body))) ] && [ "$c" -eq "$3" ] || total=$((total + 1))
+            "$surfmink" --quiet piece | awk 'NR > 1 { n++ } END { print n + 0 }' >> rows
+            cat piece.body >> joined
+            part=$((part + 1))
+        done
+        cmp body joined > said 2>&1
+        count $? "$1 in $2 parts: they are the table" "$(cat said)" ""
+        check "$1 in $2 parts: each has the names" $whole 0
+        check "$1 in $2 parts: each counts itself" $total 0
+        check "$1 in $2 parts: no outline is cut" "$(awk '{ n += $1 } END { print n }' rows)" \
+            "$("$surfmink" --quiet "$1" | awk 'END { print NR - 1 }')"
+        rm -f rows
+    }
+    parts tabs 13 1
+    parts unnamed 11 0
+    sh "$scaling/part.sh" 2 2 tabs > out 2> err
+    check "there is no part 2 of 2" $? 1
+    printf 'cell,x,y\n"a,b",0,0\n"a,b",1,0\n"a,b",0,1\n' > quoted.csv
+    sh "$scaling/part.sh" 0 1 quoted.csv > out 2> err
+    check "quotes: exit status" $? 1
+    has "quotes: message" err "quoted.csv: fields in quotes"
+
+    # --- slurm.sh -----------------------------------------------------------------------------------------------------
+
+    # array PARTS TABLE OPTION...: as Slurm would run it, the last part first.
+    array() {
+        rm -rf got got.parts
+        task=$1
+        while [ "$task" -gt 0 ]; do
+            task=$((task - 1))
+            SLURM_ARRAY_TASK_ID=$task sh "$scaling/slurm.sh" "$1" "$2" got "$3" "$4"
+        done
+        sh "$scaling/slurm.sh" --join "$1" "$2" got 2> got.err
+    }
+    for table in $tables; do
+        single $table --max-rank 3
+        for number in $([ $table = tabs ] && echo 1 11) 3; do
+            array $number $table --max-rank 3 > array.out 2>&1
+            same "slurm.sh, $table in $number parts" $?
+        done
+    done
+    for table in tabs unnamed; do
+        single $table --json --reverse=auto
+        array 2 $table --json --reverse=auto
+        same "slurm.sh, $table as JSON" $?
+    done
+    rm got.parts/0.status got.parts/1.status
+    sh "$scaling/slurm.sh" --join 3 tabs got 2> err
+    check "parts that are missing: exit status" $? 1
+    has "parts that are missing: message" err "not finished: 0 1 2"
+fi
+
+totals
