@@ -9,7 +9,7 @@
      1 read     a file -> blocks -> lines -> numbers -> a polygon         command/lines.h number.h table.h mesh.h read.h
      2 repair   a polygon -> what the options make of it -> into a batch  command/polygon.h repair.h batch.h
      3 measure  a batch -> L, S, area, mu, theta of each polygon          command/measure.h
-     4 write    -> one line of a table, or a JSON object, for each        command/write.h
+     4 write    -> one line of a table, or a JSON object, for each        command/write.h refusal.h
      5 at the end, if asked for: a summary, a picture                     command/summary.h picture.h horizon.h svg.h
    A batch is measured when it is full, when the file ends, when the input pauses, and before any complaint. */
 
@@ -39,6 +39,7 @@
 #include "command/batch.h"
 #include "command/measure.h"
 #include "command/write.h"
+#include "command/refusal.h"
 #include "command/summary.h"
 #include "command/svg.h"
 
@@ -85,31 +86,18 @@ static void show_progress(run *r)
 
 /* --- one batch ---------------------------------------------------------------------------------------------------- */
 
-/* What the user could do about it. */
-static const char *advice(int status, const options *o)
-{
-    switch (status) {
-    case SURFMINK_CLOCKWISE:
-        return o->reverse == REVERSE_ALWAYS ? "; --reverse auto turns only such outlines round"
-                                            : "; --reverse auto turns such outlines round";
-    case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them";
-    case SURFMINK_BAD_ARGUMENT: return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees";
-    default: return "";
-    }
-}
-
 static void report_refusal(const run *r, const measure *m)
 {
     if (r->options.quiet) return;
     wipe_progress();
     fflush(stdout);
-    fprintf(stderr, "%s:%lu: %s%s\n", r->name, m->line, surfmink_strerror(m->status), advice(m->status, &r->options));
+    write_refusal(stderr, r->name, m, &r->options);
 }
 
 static void write_polygon(run *r, polygon *p, const measure *m)
 {
     const options *o = &r->options;
-    write_row(o, &r->powers, o->json ? JSON_OBJECT : VALUES, p->surface, p->id, m);
+    write_row(stdout, o, &r->powers, o->json ? JSON_OBJECT : VALUES, p->surface, p->id, m);
     check_standard_output();
     if (m->status == SURFMINK_OK)
         ++r->measured;
@@ -157,7 +145,7 @@ static void process_file(run *r, const char *name)
     open_reader(&in, name, &r->powers, &r->options);
     check_surface(r, in.surface, name);
     if (r->surface == AS_THE_COLUMNS_SAY && !r->options.json)
-        write_row(&r->options, &r->powers, NAMES, in.surface, "", NULL);
+        write_row(stdout, &r->options, &r->powers, NAMES, in.surface, "", NULL);
     r->surface = in.surface;
     while (next_polygon(&in, &r->polygon)) {
         repair_polygon(&r->polygon, &r->options);

@@ -49,13 +49,23 @@ static void wipe_progress(void)
     progress_is_shown = 0;
 }
 
+/* Takes the last line of a run that must not just end; it does not return. NULL: die ends the run itself. */
+static void (*last_words)(const char *line);
+
 /* One line to standard error, and the end. What has been read so far goes out first, so that the two keep their
    order. */
 static void die(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
 static void die(const char *format, ...)
 {
     va_list arguments;
+    char line[4096];
     write_held_back();
+    if (last_words) {
+        va_start(arguments, format);
+        vsnprintf(line, sizeof line, format, arguments);
+        va_end(arguments);
+        last_words(line);
+    }
     fflush(stdout);
     wipe_progress();
     va_start(arguments, format);

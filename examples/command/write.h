@@ -9,6 +9,7 @@
 enum row { NAMES, VALUES, JSON_OBJECT };
 
 typedef struct writer {
+    FILE *out;
     enum row row;
     int digits;
     const powers_of_ten *powers;
@@ -16,30 +17,30 @@ typedef struct writer {
 } writer;
 
 /* L, mu_3 or e_3_x: without a rank p is 0, without an axis it is 0. */
-static void put_name(const char *name, int p, char axis)
+static void put_name(FILE *out, const char *name, int p, char axis)
 {
-    fputs(name, stdout);
-    if (p > 0) printf("_%d", p);
-    if (axis) printf("_%c", axis);
+    fputs(name, out);
+    if (p > 0) fprintf(out, "_%d", p);
+    if (axis) fprintf(out, "_%c", axis);
 }
 
 /* What goes before the value. Does the value follow? */
 static int begin_column(writer *w, const char *name, int p, char axis)
 {
-    if (w->columns++ > 0) putchar(w->row == JSON_OBJECT ? ',' : '\t');
+    if (w->columns++ > 0) putc(w->row == JSON_OBJECT ? ',' : '\t', w->out);
     if (w->row == VALUES) return 1;
-    if (w->row == JSON_OBJECT) putchar('"');
-    put_name(name, p, axis);
-    if (w->row == JSON_OBJECT) fputs("\":", stdout);
+    if (w->row == JSON_OBJECT) putc('"', w->out);
+    put_name(w->out, name, p, axis);
+    if (w->row == JSON_OBJECT) fputs("\":", w->out);
     return w->row != NAMES;
 }
 
 static void put_word(writer *w, const char *name, const char *word)
 {
     if (!begin_column(w, name, 0, 0)) return;
-    if (w->row == JSON_OBJECT) putchar('"');
-    put_text(stdout, word, w->row == JSON_OBJECT ? IN_JSON : IN_TABLE);
-    if (w->row == JSON_OBJECT) putchar('"');
+    if (w->row == JSON_OBJECT) putc('"', w->out);
+    put_text(w->out, word, w->row == JSON_OBJECT ? IN_JSON : IN_TABLE);
+    if (w->row == JSON_OBJECT) putc('"', w->out);
 }
 
 /* The value may be NULL: undefined. */
@@ -48,14 +49,14 @@ static void put_number(writer *w, const char *name, int p, char axis, const doub
     char text[32];
     if (!begin_column(w, name, p, axis)) return;
     if (value && isfinite(*value))
-        fwrite(text, 1, (size_t)(write_number(w->powers, text, w->digits, *value) - text), stdout);
+        fwrite(text, 1, (size_t)(write_number(w->powers, text, w->digits, *value) - text), w->out);
     else if (w->row == JSON_OBJECT)
-        fputs("null", stdout);
+        fputs("null", w->out);
 }
 
 static void put_count(writer *w, const char *name, size_t count)
 {
-    if (begin_column(w, name, 0, 0)) printf("%lu", (unsigned long)count);
+    if (begin_column(w, name, 0, 0)) fprintf(w->out, "%lu", (unsigned long)count);
 }
 
 /* The eigenvector n = 0 of +lambda_p in the plane or in space. */
@@ -71,17 +72,18 @@ static void put_direction(writer *w, int p, size_t dimensions, const measure *m)
 }
 
 /* m is NULL for the line of names. */
-static void write_row(const options *o, const powers_of_ten *powers, enum row row, int surface, const char *id,
-                      const measure *m)
+static void write_row(FILE *out, const options *o, const powers_of_ten *powers, enum row row, int surface,
+                      const char *id, const measure *m)
 {
     const measure *ok = m && m->status == SURFMINK_OK ? m : NULL;
     writer w;
     int p;
+    w.out = out;
     w.row = row;
     w.digits = o->digits;
     w.powers = powers;
     w.columns = 0;
-    if (row == JSON_OBJECT) putchar('{');
+    if (row == JSON_OBJECT) putc('{', out);
     put_word(&w, "id", id);
     put_count(&w, "n", m ? m->n : 0);
     put_word(&w, "status", m ? surfmink_status_name(m->status) : "");
@@ -91,7 +93,7 @@ static void write_row(const options *o, const powers_of_ten *powers, enum row ro
     for (p = 1; p <= o->max_rank; ++p) put_number(&w, "mu", p, 0, ok ? ok->mu + p : NULL);
     for (p = 1; p <= o->max_rank; ++p) put_number(&w, "theta", p, 0, ok && has_direction(ok, p) ? ok->theta + p : NULL);
     for (p = 1; p <= o->max_rank && o->directions; ++p) put_direction(&w, p, stride_of(surface), ok);
-    fputs(row == JSON_OBJECT ? "}\n" : "\n", stdout);
+    fputs(row == JSON_OBJECT ? "}\n" : "\n", out);
 }
 
 #endif
