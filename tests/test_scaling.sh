@@ -134,6 +134,99 @@ if [ ! "$mpi_cells" ]; then
     sh "$scaling/slurm.sh" --join 3 tabs got 2> err
     check "parts that are missing: exit status" $? 1
     has "parts that are missing: message" err "not finished: 0 1 2"
+else
+
+    # --- GNU parallel -------------------------------------------------------------------------------------------------
+
+    # One line of names, from the first part.
+    one_head() {
+        awk 'NR == 1 { names = $0; print; next } $0 != names'
+    }
+    grep -v '^#' "$data/countries.tsv" > countries.tsv
+    cp "$data/tissue.tsv" tissue.tsv
+    for table in countries.tsv tissue.tsv; do
+        single $table --quiet
+        seq 0 6 | parallel -k "sh $scaling/part.sh {} 7 $table | $surfmink --quiet" 2> got.err | one_head > got
+        same "parallel, parts of $table" "$want"
+    done
+    single countries.tsv --quiet
+    parallel -k --pipe --block 20k --header : --colsep '\t' --group-by country "$surfmink --quiet" < countries.tsv \
+        2> got.err | one_head > got
+    same "parallel --pipe --group-by an id" "$want"
+    awk '{ print } /^x/ { print "" } /^[^x]/ { n++ } n == 4 { n = 0; print "" }' << 'XY' > groups
+x y
+0 0
+1 0
+1 1
+0 1
+0 0
+2 0
+2 1
+0 1
+0 0
+3 0
+3 1
+0 1
+XY
+    single groups --quiet
+    parallel -k --pipe -N 1 --header '.*\n\n' --recend '\n\n' "$surfmink --quiet" < groups 2> got.err | one_head |
+        awk -F "$tab" -v OFS="$tab" 'NR > 1 { $1 = NR - 2 } { print }' > got
+    same "parallel --pipe, outlines without ids" "$want"
+
+    # --- MPI ----------------------------------------------------------------------------------------------------------
+
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+    export OMPI_MCA_btl_vader_single_copy_mechanism=none
+
+    # ranks NUMBER ARGUMENT...: leaves got.err and $status.
+    ranks() {
+        number=$1
+        shift
+        timeout 60 mpirun -q -n "$number" "$mpi_cells" "$@" > got.out 2> got.err
+        status=$?
+        check "mpi_cells says nothing on standard output" "$(cat got.out)" ""
+    }
+    for table in $tables; do
+        single $table --max-rank 3
+        ranks 3 --piece 97 got --max-rank 3 $table
+        same "3 ranks, $table" $status
+    done
+    for number in 1 2; do
+        for table in tabs unnamed; do
+            single $table --max-rank 3
+            ranks $number --piece 13 got --max-rank 3 $table
+            same "$number ranks, $table" $status
+        done
+    done
+    { cat tabs; printf 'f\t0\t0\rf\t1\t0\rf\t0\t1\r\r# old\rg\t0\t0\rg\t3\t0\rg\t0\t4\rg\t0\t1'; } > mac
+    single mac
+    ranks 2 --piece 5 got mac
+    same "2 ranks, lines that end in \\r" $status
+    { sed -n 1,30p tabs && printf 'zero\t0\t\0\n' && cat tabs; } > zero
+    single zero
+    ranks 3 --piece 50 got zero
+    same "3 ranks, a zero byte" $status
+    single "$data/countries.tsv" --json --reverse auto
+    ranks 3 --piece 20000 got --json --reverse auto "$data/countries.tsv"
+    same "3 ranks, countries as JSON" $status
+    single "$data/tissue.tsv"
+    cp "$data/countries.tsv" got # longer than the result: none of it may stay
+    ranks 3 got "$data/tissue.tsv"
+    same "3 ranks, one piece, into a file that is longer" $status
+
+    single missing.tsv
+    ranks 2 got missing.tsv
+    check "a table that is missing: exit status" $status 1
+    check "a table that is missing: complaint" "$(head -n 1 got.err)" "$(cat want.err)"
+    ranks 2 got tabs tabs
+    check "two tables: exit status" $status 1
+    has "two tables: complaint" got.err "mpi_cells reads one table"
+    ranks 2 tabs tabs
+    check "the table as its own result: exit status" $status 1
+    check "the table as its own result is not lost" "$(named "$tab" | cmp - tabs && echo same)" same
+    ranks 2 no/such/folder tabs
+    check "a result that cannot be written: exit status" $status 1
+    has "a result that cannot be written: complaint" got.err "no/such/folder: "
 fi
 
 totals
