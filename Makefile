@@ -105,6 +105,7 @@ test: all $(theorems) $(theories)
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
 	  "sh tests/test_abuse.sh $(BUILD)" \
+	  "sh tests/test_scaling.sh $(BUILD)/surfmink" \
 	  "sh tests/test_fuzzed.sh" \
 	  "sh tests/test_docs.sh $(BUILD) '$(CC)'" \
 	  "sh tests/test_manual.sh $(BUILD)" \

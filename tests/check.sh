@@ -375,6 +375,10 @@ check "make install" "$(quietly "make -s install DESTDIR=$here/installed PREFIX=
     test -s $here/installed/usr/share/man/man1/levelset.1"
 check "other languages: docs/languages.md, and the same story in each" \
     "$(quietly "sh tests/test_languages.sh .build/surfmink")"
+check "many machines: Open MPI and GNU parallel give the bytes of one run" "
+    gcc -std=c99 $wall_c -Wno-unused-function -O2 -I. \$(mpicc -showme:compile | sed 's/-I/-isystem /g') \
+        examples/scaling/mpi_cells.c -o $here/mpi_cells \$(mpicc -showme:link) -lm &&
+    $(quietly "sh tests/test_scaling.sh .build/surfmink $here/mpi_cells")"
 check "layout" "clang-format-14 --dry-run --Werror surfmink.h \$(find examples tests -name '*.[ch]')"
 check "lines of at most 120 columns" "awk 'length > 120 { print FILENAME \":\" FNR }' surfmink.h Makefile \
     \$(find examples tests -name '*.[ch]' -o -name '*.sh')"

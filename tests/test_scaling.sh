@@ -120,7 +120,12 @@ if [ ! "$mpi_cells" ]; then
     }
     for table in $tables; do
         single $table --max-rank 3
-        for number in $([ $table = tabs ] && echo 1 11) 3; do
+        case $table in
+        tabs) numbers="1 11 3" ;;
+        windows | unnamed | one | no_number | too_many) numbers=3 ;;
+        *) numbers=2 ;;
+        esac
+        for number in $numbers; do
             array $number $table --max-rank 3 > array.out 2>&1
             same "slurm.sh, $table in $number parts" $?
         done
@@ -186,22 +191,25 @@ XY
         status=$?
         check "mpi_cells says nothing on standard output" "$(cat got.out)" ""
     }
-    for table in $tables; do
+    for table in tabs windows commas.csv last unnamed torn one no_number too_many too_few; do
         single $table --max-rank 3
         ranks 3 --piece 97 got --max-rank 3 $table
         same "3 ranks, $table" $status
     done
-    for number in 1 2; do
-        for table in tabs unnamed; do
-            single $table --max-rank 3
-            ranks $number --piece 13 got --max-rank 3 $table
-            same "$number ranks, $table" $status
-        done
-    done
+    single tabs
+    ranks 1 --piece 13 got tabs
+    same "1 rank, pieces of 13 bytes" $status
+    single unnamed
+    ranks 2 --piece 1 got unnamed
+    same "2 ranks, pieces of one byte" $status
     { cat tabs; printf 'f\t0\t0\rf\t1\t0\rf\t0\t1\r\r# old\rg\t0\t0\rg\t3\t0\rg\t0\t4\rg\t0\t1'; } > mac
     single mac
     ranks 2 --piece 5 got mac
     same "2 ranks, lines that end in \\r" $status
+    named , | sed 's/^\([a-z]*\),/"\1,, ""x""",/' > quoted.csv
+    single quoted.csv
+    ranks 2 --piece 60 got quoted.csv
+    same "2 ranks, quoted ids with commas" $status
     { sed -n 1,30p tabs && printf 'zero\t0\t\0\n' && cat tabs; } > zero
     single zero
     ranks 3 --piece 50 got zero
