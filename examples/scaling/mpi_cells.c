@@ -223,12 +223,22 @@ static size_t find_cut(long long at)
 
 /* --- one piece ---------------------------------------------------------------------------------------------------- */
 
+static unsigned long count_bytes(const char *text, size_t size, char byte)
+{
+    const char *end = text + size;
+    unsigned long count = 0;
+    for (; (text = (const char *)memchr(text, byte, (size_t)(end - text))) != NULL; ++text) ++count;
+    return count;
+}
+
+/* Each ends with \n, \r\n or \r. */
 static unsigned long count_lines(const char *text, size_t size)
 {
-    unsigned long count = 0;
+    unsigned long count = count_bytes(text, size, '\n');
     size_t i;
-    for (i = 0; i < size; ++i)
-        if (text[i] == '\n' || (text[i] == '\r' && !(i + 1 < size && text[i + 1] == '\n'))) ++count;
+    if (memchr(text, '\r', size))
+        for (i = 0; i < size; ++i)
+            if (text[i] == '\r' && !(i + 1 < size && text[i + 1] == '\n')) ++count;
     return count;
 }
 
