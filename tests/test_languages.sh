@@ -98,8 +98,8 @@ check "the library exports what the header declares, and nothing else" \
     "$(nm -D --defined-only .build/libsurfmink.so | awk '{ print $3 }' | sort)" \
     "$($cc | grep -o 'surfmink_[a-z_]*(' | tr -d '(' | sort -u)"
 version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
-check "programs ask for the version that fits" "$(readelf -d .build/libsurfmink.so | sed -n 's/.*soname: \[\(.*\)\]/\1/p')" \
-    "libsurfmink.so.${version%.*}"
+check "programs ask for the version that fits" \
+    "$(readelf -d .build/libsurfmink.so | sed -n 's/.*soname: \[\(.*\)\]/\1/p')" "libsurfmink.so.${version%.*}"
 check "which surfmink.py asks for, too" "$(sed -n 's/^ABI = "\(.*\)".*/\1/p' examples/languages/surfmink.py)" \
     "${version%.*}"
 make -s install-shared DESTDIR="$work/installed" PREFIX=/usr > said 2>&1

@@ -15,7 +15,7 @@
      4 learns where its rows go, and writes them, collectively                                   MPI_Exscan
    A piece begins with the first outline that begins in it, told by the lines of the piece alone: where the id changes
    or, without an id column, after a blank line. Both neighbours find the same place without asking each other.
-   If a line is malformed, the run ends there, as that of the command does: what later ranks have measured is dropped. */
+   At a malformed line the run ends, as that of the command does: what later ranks have measured is dropped. */
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
 #define HAS_POSIX       1
 #include <limits.h>
