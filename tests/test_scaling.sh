@@ -13,7 +13,7 @@ tab=$(printf '\t')
 # --- tables that are hard to cut --------------------------------------------------------------------------------------
 
 # Squares and others, some refused; comments and blank lines that mean nothing; the same id once more, later; a cell
-# that is longer than a part.
+# of 40 corners, longer than a part.
 named() {
     printf '# cells\n\n  # of a tissue\ncell%sx%sy\n' "$1" "$1"
     for cell in a b longer a; do
@@ -22,7 +22,7 @@ named() {
     done | tr ' ' "$1"
     i=0
     while [ $i -lt 40 ]; do
-        echo "$i" | awk '{ printf "round %.9f %.9f\n", cos($1 * 0.157), sin($1 * 0.157) }' | tr ' ' "$1"
+        echo "bowl$1$i$1$((i * i))"
         i=$((i + 1))
     done
     printf '\nclockwise 0 0\nclockwise 0 1\n\nclockwise 1 0\nd 0 0\nd 1 0\nd 1 0\ne 0 0\ne 1 0\ne 0 1\n' | tr ' ' "$1"
