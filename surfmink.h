@@ -219,7 +219,7 @@ SURFMINK_DEF int surfmink_measure_embedded(const double *corner, const double *n
 
 /* Measures a geodesic polygon of any surface that has a log.
    corner      n * surface->stride, as the callbacks understand them
-   scratch     2 n    doubles to work in; no other call needs any
+   scratch     2 n    doubles to work in
    The rest and spikes as in surfmink_measure_plane; w->area is 0.
    Errors: what the callbacks return, else CALLBACK_FAILED; TOO_FEW_CORNERS, COINCIDENT_CORNERS (a length of 0),
    CLOCKWISE, TOO_MUCH_CURVATURE, BAD_ARGUMENT (no log, no stride). Cost: 2 n calls of log, O(n P) time. Paper 4.1. */
@@ -395,6 +395,33 @@ SURFMINK_DEF int surfmink_frame_embedded(const double *corner, const double *nor
    Errors: NOT_FINITE, BAD_ARGUMENT. Paper 2.4 and 3.1: eigenvectors at two edges are transports of each other. */
 SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double phase, const double *frame, int dim,
                                        double *vector);
+
+/* The directions of an outline at its centre, one for each rank: for glyphs and for averages over many outlines. Every
+   edge has its own copy of an eigenvector; each is tilted to the centre by the smallest rotation that takes the normal
+   of its edge to the mean normal, and the directions found there are averaged, p times their angle, weighted by length.
+   corner, normal     as in surfmink_measure_*
+   length, phase n    from steps 1 and 2; the phases of the transport that g was made with
+   g         2 P + 2  only its arguments count
+   scratch     n      doubles to work in; may be the same array as phase, which is then lost
+   centre      2, 3   out: mean of the outline, by length; on the sphere times your radius it is mean_normal; or NULL
+   mean_normal 3      out: unit, mean of the normals of the edges, by length; or NULL
+   direction (P+1)dim out: dim = 2 or 3, unit and orthogonal to mean_normal: eigenvector n = 0 of +lambda_p; the others
+                      follow in steps of 2 pi / p. Rank 0 has none: 0. Where mu_p or the coherence is no more than
+                      rounding noise (1e-14) the directions are noise too; or NULL
+   coherence   P + 1  out: in [0, 1], how well the edges agree: 1 if all do, as in the plane; it depends on the outline
+                      and on p but not on g; or NULL
+   Errors: as surfmink_irreducible and surfmink_edges_*; ZERO_NORMAL: the mean of the normals is shorter than 1e-6, or
+   one of them is opposite to it within 1e-6 rad; BAD_ARGUMENT: all lengths are 0.
+   Cost: O(n P), one atan2 and the sines and cosines of surfmink_irreducible. Paper 2.4, seen from the centre. */
+SURFMINK_DEF int surfmink_director_plane(const double *corner, size_t n, const double *length, const double *phase,
+                                         const double *g, int max_rank, double *scratch, double *centre,
+                                         double *direction, double *coherence);
+SURFMINK_DEF int surfmink_director_sphere(const double *corner, size_t n, const double *length, const double *phase,
+                                          const double *g, int max_rank, double *scratch, double *mean_normal,
+                                          double *direction, double *coherence);
+SURFMINK_DEF int surfmink_director_embedded(const double *corner, const double *normal, size_t n, const double *length,
+                                            const double *phase, const double *g, int max_rank, double *scratch,
+                                            double *centre, double *mean_normal, double *direction, double *coherence);
 
 /* --- the sphere as a surface: exp and log ------------------------------------------------------------------------- */
 
@@ -2983,19 +3010,17 @@ SURFMINK_DEF int surfmink_frame_plane(const double *corner, size_t n, size_t edg
     return SURFMINK_OK;
 }
 
-SURFMINK_DEF int surfmink_frame_embedded(const double *corner, const double *normal, size_t n, size_t edge,
-                                         double frame[9])
+/* Co-normal, tangent and normal at the middle of a chord between corners that have passed the checks, with the normals
+   at both ends. */
+static int surfmink__chord_frame(const double *x, const double *y, const double *x_normal, const double *y_normal,
+                                 double frame[9])
 {
-    surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
     double along[3], tau[3], a[3], b[3], mean[3], part;
-    size_t next, k;
-    int status = surfmink__check_one(&o, edge);
-    if (status != SURFMINK_OK) return status;
-    next = surfmink__next(&o, edge);
-    surfmink__sub(corner + 3 * next, corner + 3 * edge, 3, along);
+    size_t k;
+    surfmink__sub(y, x, 3, along);
     surfmink__unit(along, 3, tau);
-    surfmink__unit(normal + 3 * edge, 3, a);
-    surfmink__unit(normal + 3 * next, 3, b);
+    surfmink__unit(x_normal, 3, a);
+    surfmink__unit(y_normal, 3, b);
     for (k = 0; k < 3; ++k) mean[k] = a[k] + b[k];
     part = surfmink__dot(mean, tau);
     for (k = 0; k < 3; ++k) mean[k] -= part * tau[k];
@@ -3004,6 +3029,17 @@ SURFMINK_DEF int surfmink_frame_embedded(const double *corner, const double *nor
     for (k = 0; k < 3; ++k) frame[3 + k] = tau[k];
     surfmink__cross(frame + 3, frame + 6, frame); /* nu = tau x normal */
     return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_frame_embedded(const double *corner, const double *normal, size_t n, size_t edge,
+                                         double frame[9])
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
+    size_t next;
+    int status = surfmink__check_one(&o, edge);
+    if (status != SURFMINK_OK) return status;
+    next = surfmink__next(&o, edge);
+    return surfmink__chord_frame(corner + 3 * edge, corner + 3 * next, normal + 3 * edge, normal + 3 * next, frame);
 }
 
 SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double phase, const double *frame, int dim,
@@ -3022,6 +3058,150 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
         for (k = 0; k < dim; ++k) vector[n * dim + k] = cosine * frame[k] + sine * frame[dim + k];
     }
     return SURFMINK_OK;
+}
+
+/* The same for great-circle arcs. The co-normal is the pole of the circle. The normal is the mean of those at the ends;
+   where these are more than 90 degrees apart the tangent is their difference, which then has more digits. */
+static void surfmink__arc_frame(const surfmink__outline *o, size_t i, double frame[9])
+{
+    double x[3], y[3], a[3], b[3], pole[3], mean[3];
+    surfmink__sum n[3], seen[3];
+    int wide;
+    size_t k;
+    surfmink__sphere_point(o, i, x);
+    surfmink__sphere_point(o, surfmink__next(o, i), y);
+    surfmink__axis(o, i, n);
+    surfmink__seen(n, x, y, seen);
+    surfmink__unit(x, 3, a);
+    surfmink__unit(y, 3, b);
+    wide = surfmink__dot(a, b) < 0;
+    for (k = 0; k < 3; ++k) {
+        pole[k] = -seen[k].high;
+        mean[k] = wide ? b[k] - a[k] : b[k] + a[k];
+    }
+    surfmink__unit(pole, 3, frame);
+    surfmink__unit(mean, 3, wide ? frame + 3 : frame + 6);
+    if (wide)
+        surfmink__cross(frame, frame + 3, frame + 6); /* normal = nu x tau */
+    else
+        surfmink__cross(frame + 6, frame, frame + 3); /* tau = normal x nu */
+}
+
+/* Of edge i, whatever the surface. */
+static int surfmink__frame(const surfmink__outline *o, size_t i, double frame[9])
+{
+    const double up[3] = {0, 0, 1};
+    size_t next = surfmink__next(o, i);
+    double x[3], y[3];
+    if (o->kind == SURFMINK__SPHERE) {
+        surfmink__arc_frame(o, i, frame);
+        return SURFMINK_OK;
+    }
+    surfmink__point(o, i, x);
+    surfmink__point(o, next, y);
+    if (o->kind == SURFMINK__PLANE) return surfmink__chord_frame(x, y, up, up, frame);
+    return surfmink__chord_frame(x, y, o->normal + 3 * i, o->normal + 3 * next, frame);
+}
+
+/* Means along the outline: of its edges' normals, and of its points, as seen from corner 0 so that digits survive far
+   away, and in quarters so that nothing overflows. */
+static int surfmink__middle(const surfmink__outline *o, const double *length, double total, double centre[3],
+                            double normal[3])
+{
+    double frame[9], x[3], y[3], origin[3], sum[3] = {0, 0, 0}, mean[3] = {0, 0, 0}, weight;
+    size_t i, k;
+    int status;
+    surfmink__point(o, 0, origin);
+    for (i = 0; i < o->n; ++i) {
+        if ((status = surfmink__frame(o, i, frame)) != SURFMINK_OK) return status;
+        surfmink__point(o, i, x);
+        surfmink__point(o, surfmink__next(o, i), y);
+        weight = length[i] / total;
+        for (k = 0; k < 3; ++k) {
+            sum[k] += weight * ((0.25 * x[k] - 0.25 * origin[k]) + (0.25 * y[k] - 0.25 * origin[k]));
+            mean[k] += weight * frame[6 + k];
+        }
+    }
+    if (!(surfmink__norm(mean, 3) > 1e-6)) return SURFMINK_ZERO_NORMAL;
+    surfmink__unit(mean, 3, normal);
+    for (k = 0; k < 3; ++k) centre[k] = (origin[k] + sum[k]) + sum[k];
+    return SURFMINK_OK;
+}
+
+/* The co-normal of edge i, tilted to the mean normal N by the smallest rotation that takes n there: as nu is orthogonal
+   to n, that is the mirror image in the plane orthogonal to n + N. */
+static int surfmink__tilted(const surfmink__outline *o, size_t i, const double normal[3], double tilted[3])
+{
+    double frame[9], s[3], part;
+    size_t k;
+    surfmink__frame(o, i, frame);
+    for (k = 0; k < 3; ++k) s[k] = frame[6 + k] + normal[k];
+    if (!(surfmink__dot(s, s) > 1e-12)) return SURFMINK_ZERO_NORMAL;
+    part = 2 * surfmink__dot(frame, s) / surfmink__dot(s, s);
+    for (k = 0; k < 3; ++k) tilted[k] = frame[k] - part * s[k];
+    return SURFMINK_OK;
+}
+
+/* With chi_i the angle of the tilted co-normal i against that of edge 0, an eigenvector has the angle theta + chi_i -
+   f_i there. So theta stays out of the average, sum l_i exp(i p (chi_i - f_i)), which is integrated like g_p. */
+static int surfmink__director(const surfmink__outline *o, const double *length, const double *phase, const double *g,
+                              int max_rank, double *scratch, double *centre, double *mean_normal, double *direction,
+                              double *coherence)
+{
+    surfmink__outline measured = surfmink__outline_measured(length, phase, o->n);
+    surfmink__curve curve;
+    double total, middle[3], normal[3], e1[3], e2[3], nu[3], angle, cosine, sine;
+    size_t i, k, dim = (size_t)o->dim;
+    int p, status = surfmink__check_measured(&measured, max_rank, &total);
+    if (status != SURFMINK_OK) return status;
+    if ((status = surfmink__check(o, NULL)) != SURFMINK_OK) return status;
+    if (!(total > 0)) return SURFMINK_BAD_ARGUMENT;
+    if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
+    if ((status = surfmink__middle(o, length, total, middle, normal)) != SURFMINK_OK) return status;
+    if ((status = surfmink__tilted(o, 0, normal, e1)) != SURFMINK_OK) return status;
+    surfmink__cross(normal, e1, e2);
+    for (i = 0; i < o->n; ++i) {
+        if ((status = surfmink__tilted(o, i, normal, nu)) != SURFMINK_OK) return status;
+        scratch[i] = SURFMINK_ATAN2(surfmink__dot(nu, e2), surfmink__dot(nu, e1)) - phase[i];
+    }
+    curve = surfmink__curve_of(&measured, total, 0);
+    curve.phase = scratch;
+    surfmink__integrate(&curve, max_rank, coherence, NULL, direction);
+    for (k = 0; k < dim && centre; ++k) centre[k] = middle[k];
+    for (k = 0; k < 3 && mean_normal; ++k) mean_normal[k] = normal[k];
+    if (!direction) return SURFMINK_OK;
+    for (p = max_rank; p > 0; --p) { /* backwards: the angles lie in front of where the vectors go */
+        angle = direction[p] + surfmink__theta(g, p, 1, 0);
+        cosine = SURFMINK_COS(angle);
+        sine = SURFMINK_SIN(angle);
+        for (k = 0; k < dim; ++k) direction[(size_t)p * dim + k] = cosine * e1[k] + sine * e2[k];
+    }
+    for (k = 0; k < dim; ++k) direction[k] = 0;
+    return SURFMINK_OK;
+}
+
+SURFMINK_DEF int surfmink_director_plane(const double *corner, size_t n, const double *length, const double *phase,
+                                         const double *g, int max_rank, double *scratch, double *centre,
+                                         double *direction, double *coherence)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__PLANE, corner, NULL, n);
+    return surfmink__director(&o, length, phase, g, max_rank, scratch, centre, NULL, direction, coherence);
+}
+
+SURFMINK_DEF int surfmink_director_sphere(const double *corner, size_t n, const double *length, const double *phase,
+                                          const double *g, int max_rank, double *scratch, double *mean_normal,
+                                          double *direction, double *coherence)
+{
+    surfmink__outline o = surfmink__outline_sphere(corner, n, 1);
+    return surfmink__director(&o, length, phase, g, max_rank, scratch, NULL, mean_normal, direction, coherence);
+}
+
+SURFMINK_DEF int surfmink_director_embedded(const double *corner, const double *normal, size_t n, const double *length,
+                                            const double *phase, const double *g, int max_rank, double *scratch,
+                                            double *centre, double *mean_normal, double *direction, double *coherence)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
+    return surfmink__director(&o, length, phase, g, max_rank, scratch, centre, mean_normal, direction, coherence);
 }
 
 /* --- the easy door ------------------------------------------------------------------------------------------------ */

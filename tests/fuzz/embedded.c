@@ -1,4 +1,5 @@
-/* embedded.c - fuzzes what measures polygons on a surface in space: measure, edges, frame, transport of a vector. */
+/* embedded.c - fuzzes what measures polygons on a surface in space: measure, edges, frame, transport of a vector,
+   director. */
 #include "outline.h"
 
 static double dot(const double *a, const double *b)
@@ -55,4 +56,5 @@ static void fuzz(bytes in)
     claim_invariants(&o);
     frames(&o, take(&in));
     if (measure_twice(&o, &m)) transport(&o, m.turning, &in);
+    claim_directors(&o, &in);
 }

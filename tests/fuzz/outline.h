@@ -297,4 +297,75 @@ static inline void claim_invariants(const outline *o)
     claim_alike(&m, &b);
 }
 
+/* --- the centre --------------------------------------------------------------------------------------------------- */
+
+typedef struct middle {
+    double centre[3], normal[3], direction[3 * (RANK + 1)], coherence[RANK + 1];
+} middle;
+
+static inline int find_middle(const outline *o, const double *length, const double *phase, const double *g, int rank,
+                              middle *m)
+{
+    double scratch[CORNERS];
+    memset(m, 0x5a, sizeof *m);
+    if (o->kind == PLANE)
+        return surfmink_director_plane(o->corner, o->n, length, phase, g, rank, scratch, m->centre, m->direction,
+                                       m->coherence);
+    if (o->kind == SPHERE)
+        return surfmink_director_sphere(o->corner, o->n, length, phase, g, rank, scratch, m->normal, m->direction,
+                                        m->coherence);
+    return surfmink_director_embedded(o->corner, o->normal, o->n, length, phase, g, rank, scratch, m->centre, m->normal,
+                                      m->direction, m->coherence);
+}
+
+/* Unit vectors in the tangent plane, and edges that agree more or less, whatever the lengths and phases. */
+static inline int claim_middle(const outline *o, const double *length, const double *phase, const double *g, int rank)
+{
+    middle m;
+    size_t k, dim = dim_of(o);
+    double size, upright;
+    int p, status = find_middle(o, length, phase, g, rank, &m);
+    CLAIM(is_known(status));
+    if (status != SURFMINK_OK) {
+        CLAIM(is_untouched(&m, sizeof m));
+        return status;
+    }
+    CLAIM(rank >= 0 && m.coherence[0] == 1);
+    if (o->kind != SPHERE) CLAIM(all_finite(m.centre, dim));
+    for (p = 0; p <= rank; ++p) {
+        size = upright = 0;
+        for (k = 0; k < dim; ++k) {
+            size += m.direction[dim * (size_t)p + k] * m.direction[dim * (size_t)p + k];
+            if (dim == 3) upright += m.direction[dim * (size_t)p + k] * m.normal[k];
+        }
+        CLAIM(m.coherence[p] >= 0 && m.coherence[p] <= 1);
+        CLAIM(fabs(size - (p > 0)) < 1e-8 && fabs(upright) < 1e-8);
+    }
+    return status;
+}
+
+/* The steps of the outline itself, and others that have nothing to do with it. */
+static inline void claim_directors(const outline *o, bytes *in)
+{
+    double length[CORNERS], phase[CORNERS], g[2 * RANK + 2];
+    measured m;
+    middle centre;
+    size_t i;
+    int rank = (int)(take(in) % (RANK + 2)) - 1, p;
+    if (measure_twice(o, &m) && surfmink_phases(m.turning, o->n, SURFMINK_CORRECTED, phase) == SURFMINK_OK &&
+        surfmink_irreducible(m.length, phase, o->n, RANK, g) == SURFMINK_OK) {
+        p = claim_middle(o, m.length, phase, g, rank);
+        if (o->kind == PLANE && m.status == SURFMINK_OK && !has_spike(o, &m) && rank >= 0) {
+            CLAIM(p == SURFMINK_OK && find_middle(o, m.length, phase, g, rank, &centre) == SURFMINK_OK);
+            for (; rank > 0; --rank) CLAIM(centre.coherence[rank] >= 1 - 1e-13 * (1 + m.w.condition));
+        }
+    }
+    for (i = 0; i < CORNERS; ++i) {
+        length[i] = take_number(in);
+        phase[i] = take_number(in);
+    }
+    for (i = 0; i < 2 * RANK + 2; ++i) g[i] = take_number(in);
+    claim_middle(o, length, phase, g, rank);
+}
+
 #endif

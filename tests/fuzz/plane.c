@@ -1,4 +1,4 @@
-/* plane.c - fuzzes what measures polygons of the plane: measure, edges, area, frame. */
+/* plane.c - fuzzes what measures polygons of the plane: measure, edges, area, frame, director. */
 #include "outline.h"
 
 static void fuzz(bytes in)
@@ -24,4 +24,5 @@ static void fuzz(bytes in)
         CLAIM(edge < o.n && nu_tau == 0 && fabs(hypot(frame[0], frame[1]) - 1) < 1e-15);
     else
         CLAIM(frame[0] == -7 && frame[3] == -7);
+    claim_directors(&o, &in);
 }

@@ -1,4 +1,5 @@
-/* sphere.c - fuzzes what measures polygons of the sphere: measure, edges, area; log, exp, and both as callbacks. */
+/* sphere.c - fuzzes what measures polygons of the sphere: measure, edges, area, director; log, exp, and both as
+   callbacks. */
 #include "outline.h"
 
 static double dot(const double a[3], const double b[3])
@@ -65,4 +66,5 @@ static void fuzz(bytes in)
     CLAIM(status == SURFMINK_OK ? isfinite(area) : area == -7);
     log_and_exp(&o, o.radius);
     as_callbacks(&o);
+    claim_directors(&o, &in);
 }
