@@ -3060,11 +3060,12 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
     return SURFMINK_OK;
 }
 
-/* The same for great-circle arcs. The co-normal is the pole of the circle. The normal is the mean of those at the ends;
-   where these are more than 90 degrees apart the tangent is their difference, which then has more digits. */
-static void surfmink__arc_frame(const surfmink__outline *o, size_t i, double frame[9])
+/* Co-normal and normal at the middle of a great-circle arc. The co-normal is the pole of the circle. The normal is the
+   mean of those at the ends; where these are more than 90 degrees apart their difference, along the tangent, has more
+   digits. */
+static void surfmink__arc_frame(const surfmink__outline *o, size_t i, double nu[3], double normal[3])
 {
-    double x[3], y[3], a[3], b[3], pole[3], mean[3];
+    double x[3], y[3], a[3], b[3], pole[3], mean[3], tau[3];
     surfmink__sum n[3], seen[3];
     int wide;
     size_t k;
@@ -3079,28 +3080,34 @@ static void surfmink__arc_frame(const surfmink__outline *o, size_t i, double fra
         pole[k] = -seen[k].high;
         mean[k] = wide ? b[k] - a[k] : b[k] + a[k];
     }
-    surfmink__unit(pole, 3, frame);
-    surfmink__unit(mean, 3, wide ? frame + 3 : frame + 6);
-    if (wide)
-        surfmink__cross(frame, frame + 3, frame + 6); /* normal = nu x tau */
-    else
-        surfmink__cross(frame + 6, frame, frame + 3); /* tau = normal x nu */
+    surfmink__unit(pole, 3, nu);
+    surfmink__unit(mean, 3, wide ? tau : normal);
+    if (wide) surfmink__cross(nu, tau, normal);
 }
 
-/* Of edge i, whatever the surface. */
-static int surfmink__frame(const surfmink__outline *o, size_t i, double frame[9])
+/* Co-normal and normal at the middle of edge i, whatever the surface. */
+static int surfmink__middle_of_edge(const surfmink__outline *o, size_t i, double nu[3], double normal[3])
 {
     const double up[3] = {0, 0, 1};
-    size_t next = surfmink__next(o, i);
-    double x[3], y[3];
+    const double *x_normal = up, *y_normal = up;
+    double x[3], y[3], frame[9];
+    size_t next = surfmink__next(o, i), k;
     if (o->kind == SURFMINK__SPHERE) {
-        surfmink__arc_frame(o, i, frame);
+        surfmink__arc_frame(o, i, nu, normal);
         return SURFMINK_OK;
+    }
+    if (o->kind == SURFMINK__EMBEDDED) {
+        x_normal = o->normal + 3 * i;
+        y_normal = o->normal + 3 * next;
     }
     surfmink__point(o, i, x);
     surfmink__point(o, next, y);
-    if (o->kind == SURFMINK__PLANE) return surfmink__chord_frame(x, y, up, up, frame);
-    return surfmink__chord_frame(x, y, o->normal + 3 * i, o->normal + 3 * next, frame);
+    if (surfmink__chord_frame(x, y, x_normal, y_normal, frame) != SURFMINK_OK) return SURFMINK_ZERO_NORMAL;
+    for (k = 0; k < 3; ++k) {
+        nu[k] = frame[k];
+        normal[k] = frame[6 + k];
+    }
+    return SURFMINK_OK;
 }
 
 /* Means along the outline: of its edges' normals, and of its points, as seen from corner 0 so that digits survive far
@@ -3108,18 +3115,18 @@ static int surfmink__frame(const surfmink__outline *o, size_t i, double frame[9]
 static int surfmink__middle(const surfmink__outline *o, const double *length, double total, double centre[3],
                             double normal[3])
 {
-    double frame[9], x[3], y[3], origin[3], sum[3] = {0, 0, 0}, mean[3] = {0, 0, 0}, weight;
+    double nu[3], n[3], x[3], y[3], origin[3], sum[3] = {0, 0, 0}, mean[3] = {0, 0, 0}, weight;
     size_t i, k;
     int status;
     surfmink__point(o, 0, origin);
     for (i = 0; i < o->n; ++i) {
-        if ((status = surfmink__frame(o, i, frame)) != SURFMINK_OK) return status;
+        if ((status = surfmink__middle_of_edge(o, i, nu, n)) != SURFMINK_OK) return status;
         surfmink__point(o, i, x);
         surfmink__point(o, surfmink__next(o, i), y);
         weight = length[i] / total;
         for (k = 0; k < 3; ++k) {
             sum[k] += weight * ((0.25 * x[k] - 0.25 * origin[k]) + (0.25 * y[k] - 0.25 * origin[k]));
-            mean[k] += weight * frame[6 + k];
+            mean[k] += weight * n[k];
         }
     }
     if (!(surfmink__norm(mean, 3) > 1e-6)) return SURFMINK_ZERO_NORMAL;
@@ -3132,13 +3139,13 @@ static int surfmink__middle(const surfmink__outline *o, const double *length, do
    to n, that is the mirror image in the plane orthogonal to n + N. */
 static int surfmink__tilted(const surfmink__outline *o, size_t i, const double normal[3], double tilted[3])
 {
-    double frame[9], s[3], part;
+    double nu[3], n[3], s[3], part;
     size_t k;
-    surfmink__frame(o, i, frame);
-    for (k = 0; k < 3; ++k) s[k] = frame[6 + k] + normal[k];
+    surfmink__middle_of_edge(o, i, nu, n);
+    for (k = 0; k < 3; ++k) s[k] = n[k] + normal[k];
     if (!(surfmink__dot(s, s) > 1e-12)) return SURFMINK_ZERO_NORMAL;
-    part = 2 * surfmink__dot(frame, s) / surfmink__dot(s, s);
-    for (k = 0; k < 3; ++k) tilted[k] = frame[k] - part * s[k];
+    part = 2 * surfmink__dot(nu, s) / surfmink__dot(s, s);
+    for (k = 0; k < 3; ++k) tilted[k] = nu[k] - part * s[k];
     return SURFMINK_OK;
 }
 

@@ -10,7 +10,8 @@
      2 repair   a polygon -> what the options make of it -> into a batch  command/polygon.h repair.h batch.h
      3 measure  a batch -> L, S, area, mu, theta of each polygon          command/measure.h
      4 write    -> one line of a table, or a JSON object, for each        command/write.h refusal.h
-     5 at the end, if asked for: a summary, a picture                     command/summary.h picture.h horizon.h svg.h
+     5 at the end, if asked for: a summary, pictures, polygons in space   command/summary.h picture.h svg.h map.h
+                                                                          horizon.h chart.h ply.h
    A batch is measured when it is full, when the file ends, when the input pauses, and before any complaint. */
 
 /* Only for isatty, read, poll and stat: to tell a terminal from a file, to take what a pipe holds, to know a file by
@@ -41,7 +42,9 @@
 #include "command/write.h"
 #include "command/refusal.h"
 #include "command/summary.h"
-#include "command/svg.h"
+#include "command/map.h"
+#include "command/chart.h"
+#include "command/ply.h"
 
 /* What lives as long as the run. */
 typedef struct run {
@@ -52,6 +55,7 @@ typedef struct run {
     measures measures;
     summary summary;
     picture picture;
+    chart chart;
     const char *name; /* of the file that is being read */
     int surface;      /* of the polygons so far; AS_THE_COLUMNS_SAY before the first file */
     int watched;      /* somebody looks at standard error and not at standard output */
@@ -106,7 +110,8 @@ static void write_polygon(run *r, polygon *p, const measure *m)
         report_refusal(r, m);
     }
     if (o->summary) add_to_summary(&r->summary, m, o->max_rank);
-    if (o->svg) add_to_picture(&r->picture, p, m, o);
+    if (o->histogram || o->scatter) add_to_chart(&r->chart, p->id, m, o);
+    if (o->svg || o->ply) add_to_picture(&r->picture, p, m, o);
     show_progress(r);
 }
 
@@ -132,8 +137,9 @@ static void check_surface(const run *r, int surface, const char *name)
     const options *o = &r->options;
     int first = r->surface == AS_THE_COLUMNS_SAY;
     if (o->radius > 0 && surface != SPHERE) die("%s: --radius is for spheres, and this is none", name);
-    if (o->has_view && surface == PLANE) die("%s: --view is for surfaces in space, and this is a plane", name);
-    if (!first && o->svg && surface != r->surface) die("%s: another kind of surface in the same picture", name);
+    if (o->views > 0 && surface == PLANE) die("%s: --view is for surfaces in space, and this is a plane", name);
+    if (!first && (o->svg || o->ply) && surface != r->surface)
+        die("%s: another kind of surface in the same picture", name);
     if (!first && o->directions && !o->json && stride_of(surface) != stride_of(r->surface))
         die("%s: directions in the plane and in space do not go into one table; --json can hold both", name);
 }
@@ -181,7 +187,10 @@ static void finish_run(run *r)
     fflush(stdout);
     check_standard_output();
     if (r->options.summary) write_summary(&r->summary, r->options.max_rank);
-    if (r->options.svg) write_picture(&r->picture, &r->options);
+    if (r->options.svg) write_map(&r->picture, &r->options);
+    if (r->options.histogram) write_histograms(&r->chart, &r->options);
+    if (r->options.scatter) write_scatter(&r->chart, &r->options);
+    if (r->options.ply) write_ply(&r->picture, &r->options, &r->powers);
     close_standard_output();
 }
 
@@ -193,6 +202,7 @@ static void free_run(run *r)
     end_measures(&r->measures);
     end_summary(&r->summary);
     free_picture(&r->picture);
+    free_chart(&r->chart);
 }
 
 int main(int argc, char **argv)

@@ -15,6 +15,10 @@ typedef struct measure {
     const double *theta; /* P + 1 */
     double frame[9];     /* nu, tau (, normal) at the middle of edge 0 */
     int has_frame;
+    double centre[3], normal[3]; /* of the outline; in the plane centre[2] = 0 and the normal points up */
+    const double *direction;     /* P + 1 vectors at the centre */
+    const double *coherence;     /* P + 1 */
+    int has_director;            /* is there a centre and what follows it? */
 } measure;
 
 /* Lengths and turning angles of one polygon. */
@@ -29,14 +33,18 @@ typedef struct measures {
     size_t room; /* polygons */
     double *scratch;
     size_t scratch_room;
-    double *g; /* 2 P + 2, of one polygon; for the classical transport, as are its edges */
+    double *g; /* 2 P + 2, of one polygon; as are its edges, their phases, and what is known about its centre */
     edges edges;
+    double *phase, *direction, *coherence;
+    size_t phase_room;
 } measures;
 
 static void begin_measures(measures *m, int max_rank)
 {
     memset(m, 0, sizeof *m);
     m->g = (double *)resize(NULL, 2 * ((size_t)max_rank + 1), sizeof *m->g);
+    m->direction = (double *)resize(NULL, 3 * ((size_t)max_rank + 1), sizeof *m->direction);
+    m->coherence = (double *)resize(NULL, (size_t)max_rank + 1, sizeof *m->coherence);
 }
 
 static void make_room(measures *m, size_t count, int max_rank)
@@ -71,6 +79,9 @@ static void end_measures(measures *m)
     free(m->scratch);
     free(m->g);
     free_edges(&m->edges);
+    free(m->phase);
+    free(m->direction);
+    free(m->coherence);
 }
 
 /* --- the library -------------------------------------------------------------------------------------------------- */
@@ -159,6 +170,12 @@ static int has_direction(const measure *m, int p)
     return m->mu[p] >= 1e-12;
 }
 
+/* Nor is there one where the edges contradict each other. */
+static int has_director(const measure *m, int p)
+{
+    return has_direction(m, p) && m->coherence[p] >= 1e-12;
+}
+
 /* Corners of a sphere may lie off it; the frame must not notice. It only looks at the first two. */
 static int sphere_frame(const polygon *p, double frame[9])
 {
@@ -181,13 +198,45 @@ static int find_frame(const polygon *p, double frame[9])
     }
 }
 
+/* For --directions center and the strokes of pictures. Of g only the angles count. */
+static int find_director(measures *m, const polygon *p, measure *one, const options *o)
+{
+    double *length, *phase, *e = m->direction, *c = m->coherence;
+    int status, r;
+    size_t k;
+    for (k = 0; k < 3; ++k) one->centre[k] = one->normal[k] = k == 2 && p->surface == PLANE ? 1 : 0;
+    one->centre[2] = 0;
+    measure_edges(&m->edges, p, radius_of(o));
+    m->phase = (double *)grow(m->phase, &m->phase_room, p->n, sizeof *m->phase);
+    length = m->edges.length;
+    phase = m->phase;
+    if (surfmink_phases(m->edges.turning, p->n, o->transport, phase) != SURFMINK_OK) return 0;
+    for (r = 0; r <= o->max_rank; ++r) {
+        m->g[2 * r] = one->mu[r] * cos(r * one->theta[r]);
+        m->g[2 * r + 1] = one->mu[r] * sin(r * one->theta[r]);
+    }
+    switch (p->surface) {
+    case PLANE:
+        status = surfmink_director_plane(p->corner, p->n, length, phase, m->g, o->max_rank, phase, one->centre, e, c);
+        break;
+    case SPHERE:
+        status = surfmink_director_sphere(p->corner, p->n, length, phase, m->g, o->max_rank, phase, one->normal, e, c);
+        for (k = 0; k < 3; ++k) one->centre[k] = radius_of(o) * one->normal[k];
+        break;
+    default:
+        status = surfmink_director_embedded(p->corner, p->normal, p->n, length, phase, m->g, o->max_rank, phase,
+                                            one->centre, one->normal, e, c);
+    }
+    return status == SURFMINK_OK;
+}
+
 static unsigned long line_to_blame(const polygon *p, size_t bad)
 {
     if (p->fault != SURFMINK_OK) return p->fault_line;
     return bad < p->n ? p->line[bad] : p->first_line;
 }
 
-static measure measure_of(const measures *m, const batch *b, size_t i, const options *o)
+static measure measure_of(measures *m, const batch *b, size_t i, const options *o)
 {
     const polygon *p = &b->polygon[i];
     size_t ranks = (size_t)o->max_rank + 1;
@@ -201,6 +250,10 @@ static measure measure_of(const measures *m, const batch *b, size_t i, const opt
     one.mu = m->of.mu + i * ranks;
     one.theta = m->of.theta + i * ranks;
     one.has_frame = one.status == SURFMINK_OK && o->directions && find_frame(p, one.frame) == SURFMINK_OK;
+    one.direction = m->direction;
+    one.coherence = m->coherence;
+    one.has_director =
+        one.status == SURFMINK_OK && (o->directions == AT_CENTER || o->svg) && find_director(m, p, &one, o);
     return one;
 }
 

@@ -9,6 +9,17 @@
 /* In the order of the words behind --surface and --reverse. */
 enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
 enum reverse { REVERSE_AUTO, REVERSE_ALWAYS, REVERSE_NEVER };
+enum directions { NO_DIRECTIONS, AT_FIRST_EDGE, AT_CENTER };
+
+/* Panels of a picture. */
+enum { MOST_COLORS = 12, MOST_VIEWS = 6 };
+enum look { LOOK_FRONT, LOOK_BACK, LOOK_FROM_GIVEN };
+
+typedef struct viewpoint {
+    enum look look;
+    camera camera;    /* LOOK_FROM_GIVEN */
+    const char *text; /* as the user wrote it */
+} viewpoint;
 
 typedef struct options {
     int surface;   /* of enum surface */
@@ -19,12 +30,14 @@ typedef struct options {
     int reverse;   /* of enum reverse */
     int merge;
     int digits;
-    int directions;
+    int directions; /* of enum directions */
     int json;
-    const char *svg; /* NULL: no picture */
-    int color_by;    /* rank that fills the picture; 0: not given */
-    int has_view;    /* camera is given */
-    camera camera;
+    const char *svg, *histogram, *scatter, *ply; /* NULL: none */
+    int color_by[MOST_COLORS];                   /* ranks that fill the picture */
+    int colors;                                  /* how many of them; 0: not given */
+    viewpoint view[MOST_VIEWS];
+    int views; /* 0: not given */
+    const char *title, *unit;
     int summary;
     int quiet;
     const char **file;
@@ -52,6 +65,7 @@ static const char *const help_text[] = {
     "  surfmink --surface sphere points.tsv               # columns x y z: the same, in space\n"
     "  surfmink tissue.tsv --summary > mu.tsv             # columns x y z nx ny nz: any surface, with its normals\n"
     "  surfmink cells.off --svg cells.svg --color-by mu_5 # faces of a polygon mesh, and a picture of them\n"
+    "  surfmink tissue.tsv --svg both.svg --color-by mu_2,mu_6 --histogram counts.svg > mu.tsv\n"
     "  surfmink --surface plane tissue.tsv                # the same cells as a microscope sees them from above\n"
     "  zcat big.tsv.gz | surfmink --json | jq 'select(.mu_6 > .9)'\n"
     "\n"
@@ -93,17 +107,28 @@ static const char *const help_text[] = {
     "  --merge                drop corners that coincide with the one before, instead of refusing the polygon\n"
     "  --digits N             significant digits, 1 to 17 (default, exact)\n"
     "  --directions           adds columns e_p_x e_p_y e_p_z: the direction theta_p as a vector\n"
+    "  --directions center    the same at the middle of the outline, with columns center_x center_y center_z, where\n"
+    "                         that is, and coherence_p, 0 to 1: how well the edges agree about it\n"
     "  --json                 one JSON object a line instead of the table; null for what is undefined\n"
     "  --summary              mean, standard deviation, quartiles of each mu_p and count of dominant ranks, on\n"
     "                         standard error; keeps the mu of all polygons in memory\n"
-    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p eigenvectors of the positive\n"
-    "                         eigenvalue, which cross the longest sides; keeps all outlines in memory\n"
-    "  --color-by mu_p        which mu_p, default mu_2\n"
-    "  --view LON,LAT         where the eye of the picture is: above a point of the sphere,\n"
-    "  --view X,Y,Z           or in a direction. Default: where most can be seen from\n"
     "  --quiet                no word about refused polygons, no progress line\n"
     "  --help                 this page\n"
     "  --version\n"
+    "\n",
+    "PICTURES (options, too; all of them keep what they draw in memory)\n"
+    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p directions --directions center,\n"
+    "                         which cross the longest sides. They are longer where mu_p is larger\n"
+    "  --histogram FILE       draws how many outlines have which mu_1 ... mu_P, or those of --color-by; 12 at most\n"
+    "  --scatter FILE         draws mu_P over mu_2 of each outline, or the first two of --color-by\n"
+    "  --color-by mu_p,mu_q   which mu_p, default mu_2; several: a panel and a bar for each\n"
+    "  --view LON,LAT         where the eye of the picture is: above a point of the sphere,\n"
+    "  --view X,Y,Z           or in a direction,\n"
+    "  --view front|back      where most can be seen from (default), or behind that, or behind the --view before.\n"
+    "                         Several --view: a panel for each\n"
+    "  --title TEXT           above the pictures\n"
+    "  --unit TEXT            of the corners, at the scale bar: um, km\n"
+    "  --ply FILE             the outlines as polygons with colours and mu_1 ... mu_P, for ParaView, MeshLab, Blender\n"
     "\n",
     "REFUSALS AND EXIT STATUS\n"
     "  A polygon that cannot be measured is named on standard error as FILE:LINE: reason, and the run goes on.\n"
@@ -113,7 +138,7 @@ static const char *const help_text[] = {
     "  head) ends the run without a word, by the signal SIGPIPE.\n"
     "\n"
     "MEMORY\n"
-    "  grows with the largest polygon, not with the table. Meshes, --summary and --svg keep more. A line may have\n"
+    "  grows with the largest polygon, not with the table. Meshes, --summary and pictures keep more. A line may have\n"
     "  64 MiB.\n"};
 
 /* To standard output, and gone: what was asked for must not get lost unnoticed in a full disk or a closed pipe. */
@@ -157,13 +182,23 @@ static double parse_radius(const char *value)
     return radius;
 }
 
-/* mu_5, or just 5. */
-static int parse_color_by(const char *value)
+/* mu_5, or just 5; or several of these with commas between them. */
+static void parse_color_by(options *o, const char *value)
 {
-    size_t rank;
-    if (!parse_count(strncmp(value, "mu_", 3) == 0 ? value + 3 : value, &rank) || rank < 1 || rank > INT32_MAX)
-        usage_error("--color-by is one of mu_1, mu_2, ..., not '%s'", value);
-    return (int)rank;
+    const char *at = value;
+    char word[16];
+    size_t rank, length;
+    for (o->colors = 0;; at += length + 1) {
+        if (strncmp(at, "mu_", 3) == 0) at += 3;
+        length = strcspn(at, ",");
+        word[0] = '\0';
+        if (length < sizeof word) strncat(word, at, length);
+        if (!parse_count(word, &rank) || rank < 1 || rank > INT32_MAX)
+            usage_error("--color-by is one of mu_1, mu_2, ... or several, not '%s'", value);
+        if (o->colors == MOST_COLORS) usage_error("--color-by takes at most %d ranks", MOST_COLORS);
+        o->color_by[o->colors++] = (int)rank;
+        if (at[length] == '\0') return;
+    }
 }
 
 /* Numbers with commas between them; returns how many, 0 if they are none or too many. */
@@ -184,14 +219,23 @@ static int parse_list(const char *value, double *number, int most)
 static void parse_view(options *o, const char *value)
 {
     double v[3];
+    viewpoint *new_view = &o->view[o->views];
     int count = parse_list(value, v, 3);
-    o->has_view = 1;
-    if (count == 2) {
-        if (!look_from_lonlat(&o->camera, v[0], v[1])) usage_error("--view %s: a latitude lies in [-90, 90]", value);
+    if (o->views == MOST_VIEWS) usage_error("--view can be given %d times at most", MOST_VIEWS);
+    ++o->views;
+    new_view->text = value;
+    new_view->look = LOOK_FROM_GIVEN;
+    if (strcmp(value, "front") == 0)
+        new_view->look = LOOK_FRONT;
+    else if (strcmp(value, "back") == 0)
+        new_view->look = LOOK_BACK;
+    else if (count == 2) {
+        if (!look_from_lonlat(&new_view->camera, v[0], v[1]))
+            usage_error("--view %s: a latitude lies in [-90, 90]", value);
     } else if (count == 3 && hypot(hypot(v[0], v[1]), v[2]) > 0)
-        look_from(&o->camera, v);
+        look_from(&new_view->camera, v);
     else
-        usage_error("--view is LON,LAT in degrees or a direction X,Y,Z, not '%s'", value);
+        usage_error("--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '%s'", value);
 }
 
 /* --- the command line --------------------------------------------------------------------------------------------- */
@@ -205,10 +249,15 @@ enum option {
     OPTION_REVERSE,
     OPTION_DIGITS,
     OPTION_SVG,
+    OPTION_HISTOGRAM,
+    OPTION_SCATTER,
+    OPTION_PLY,
     OPTION_COLOR_BY,
-    OPTION_VIEW, /* from here on without a value */
-    OPTION_MERGE,
-    OPTION_DIRECTIONS,
+    OPTION_VIEW,
+    OPTION_TITLE,
+    OPTION_UNIT,
+    OPTION_DIRECTIONS, /* with or without a value */
+    OPTION_MERGE,      /* from here on without one */
     OPTION_JSON,
     OPTION_SUMMARY,
     OPTION_QUIET,
@@ -218,15 +267,17 @@ enum option {
 };
 
 /* In this order. */
-static const char *const option_name[OPTIONS] = {"surface", "radius",  "max-rank", "transport", "smooth", "reverse",
-                                                 "digits",  "svg",     "color-by", "view",      "merge",  "directions",
-                                                 "json",    "summary", "quiet",    "help",      "version"};
+static const char *const option_name[OPTIONS] = {"surface", "radius", "max-rank",  "transport",  "smooth", "reverse",
+                                                 "digits",  "svg",    "histogram", "scatter",    "ply",    "color-by",
+                                                 "view",    "title",  "unit",      "directions", "merge",  "json",
+                                                 "summary", "quiet",  "help",      "version"};
 
 static void set_option(options *o, int option, const char *value)
 {
     static const char *const surfaces[] = {"plane", "sphere", "embedded"};
     static const char *const transports[] = {"corrected", "parallel"};
     static const char *const reversals[] = {"auto", "always", "never"};
+    static const char *const places[] = {"edge", "center", "centre"};
     static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
     const char *name = option_name[option];
     switch (option) {
@@ -238,10 +289,17 @@ static void set_option(options *o, int option, const char *value)
     case OPTION_REVERSE: o->reverse = parse_choice(name, value, reversals, 3); break;
     case OPTION_DIGITS: o->digits = parse_between(name, value, 1, 17); break;
     case OPTION_SVG: o->svg = value; break;
-    case OPTION_COLOR_BY: o->color_by = parse_color_by(value); break;
+    case OPTION_HISTOGRAM: o->histogram = value; break;
+    case OPTION_SCATTER: o->scatter = value; break;
+    case OPTION_PLY: o->ply = value; break;
+    case OPTION_COLOR_BY: parse_color_by(o, value); break;
     case OPTION_VIEW: parse_view(o, value); break;
+    case OPTION_TITLE: o->title = value; break;
+    case OPTION_UNIT: o->unit = value; break;
     case OPTION_MERGE: o->merge = 1; break;
-    case OPTION_DIRECTIONS: o->directions = 1; break;
+    case OPTION_DIRECTIONS:
+        o->directions = value && parse_choice(name, value, places, 3) > 0 ? AT_CENTER : AT_FIRST_EDGE;
+        break;
     case OPTION_JSON: o->json = 1; break;
     case OPTION_SUMMARY: o->summary = 1; break;
     case OPTION_QUIET: o->quiet = 1; break;
@@ -263,11 +321,21 @@ static int find_option(const char *text)
     usage_error("unknown option '%.*s'", (int)length, text);
 }
 
+/* What may follow --directions. Another word is a file, or the next option. */
+static int is_place(const char *text)
+{
+    return text && (strcmp(text, "edge") == 0 || strcmp(text, "center") == 0 || strcmp(text, "centre") == 0);
+}
+
 /* Takes one option from the front of the arguments; returns how many of them it was. */
 static int take_option(options *o, char **argument)
 {
     int option = find_option(argument[0]);
     const char *equals = strchr(argument[0], '=');
+    if (option == OPTION_DIRECTIONS && !equals && !is_place(argument[1])) {
+        set_option(o, option, NULL);
+        return 1;
+    }
     if (option >= OPTION_MERGE) {
         if (equals) usage_error("--%s takes no value", option_name[option]);
         set_option(o, option, NULL);
@@ -278,14 +346,39 @@ static int take_option(options *o, char **argument)
     return equals ? 1 : 2;
 }
 
+/* What is drawn, by the names of the options. */
+enum { PICTURES = 4 };
+static const char *const picture_option[PICTURES] = {"svg", "histogram", "scatter", "ply"};
+
+static const char *picture_file(const options *o, int i)
+{
+    return i == 0 ? o->svg : i == 1 ? o->histogram : i == 2 ? o->scatter : o->ply;
+}
+
 /* What no single option can know to be wrong. An option without effect would be taken for one that has been obeyed. */
 static void check_options(options *o)
 {
-    if (o->svg && (*o->svg == '\0' || strcmp(o->svg, "-") == 0)) usage_error("--svg needs the name of a file");
-    if (!o->svg && o->color_by) usage_error("--color-by is for pictures: add --svg FILE");
-    if (!o->svg && o->has_view) usage_error("--view is for pictures: add --svg FILE");
-    if (o->color_by > o->max_rank) usage_error("--color-by mu_%d needs --max-rank %d", o->color_by, o->color_by);
-    if (o->color_by == 0) o->color_by = o->max_rank < 2 ? 1 : 2;
+    int i, j;
+    for (i = 0; i < PICTURES; ++i) {
+        const char *name = picture_file(o, i);
+        if (!name) continue;
+        if (*name == '\0' || strcmp(name, "-") == 0) usage_error("--%s needs the name of a file", picture_option[i]);
+        for (j = 0; j < i; ++j)
+            if (picture_file(o, j) && strcmp(name, picture_file(o, j)) == 0)
+                usage_error("--%s and --%s would write the same file", picture_option[j], picture_option[i]);
+    }
+    if (!o->svg && !o->histogram && !o->scatter && !o->ply && o->colors > 0)
+        usage_error("--color-by is for pictures: add --svg FILE");
+    if (!o->svg && o->views > 0) usage_error("--view is for pictures: add --svg FILE");
+    if (!o->svg && !o->histogram && !o->scatter && o->title) usage_error("--title is for pictures: add --svg FILE");
+    if (!o->svg && o->unit) usage_error("--unit is for pictures: add --svg FILE");
+    for (i = 0; i < o->colors; ++i)
+        if (o->color_by[i] > o->max_rank)
+            usage_error("--color-by mu_%d needs --max-rank %d", o->color_by[i], o->color_by[i]);
+    if (o->scatter && (o->colors == 1 || o->max_rank < 2))
+        usage_error("--scatter needs two ranks, as --color-by mu_2,mu_6");
+    if (o->svg && o->views * o->colors > MOST_COLORS)
+        usage_error("--svg draws %d panels at most: fewer --view, or fewer ranks", MOST_COLORS);
 }
 
 static void parse_options(options *o, int argc, char **argv)

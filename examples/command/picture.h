@@ -10,12 +10,21 @@ typedef struct shape {
     size_t first, n; /* corners */
     size_t id;       /* where its text begins */
     int status;
-    double mu;          /* of the rank that fills the picture */
-    double centre[3];   /* mean point of the outline; of the sphere above it */
-    double normal[3];   /* unit: mean of the normals along the outline */
-    double area;        /* about, for sizes and means */
-    double director[3]; /* unit: eigenvector n = 0 of +lambda at the centre; 0 where there is none */
+    double centre[3]; /* mean point of the outline; of the sphere above it */
+    double normal[3]; /* unit: mean of the normals along the outline */
+    double area;      /* about, for sizes and means */
 } shape;
+
+/* The ranks that fill the panels. */
+static int map_colors(const options *o)
+{
+    return o->colors > 0 ? o->colors : 1;
+}
+
+static int map_color(const options *o, int i)
+{
+    return o->colors > 0 ? o->color_by[i] : o->max_rank < 2 ? 1 : 2;
+}
 
 typedef struct picture {
     int surface;    /* of all outlines */
@@ -23,11 +32,15 @@ typedef struct picture {
     size_t corners, corner_room;
     shape *shape;
     size_t shapes, shape_room;
+    size_t measured;
+    double area;      /* of all shapes */
+    double *mu;       /* P + 1 a shape; 0 where it was refused */
+    double *director; /* 3 for each rank that fills a panel, a shape: unit, n = 0 of +lambda; 0 where there is none */
+    size_t mu_room, director_room;
     char *text; /* ids, one after the other */
     size_t text_length, text_room;
-    double *normal, *phase; /* of the outline that is being added */
-    size_t normal_room, phase_room;
-    edges edges; /* of it */
+    double *normal; /* 3 a corner, unit */
+    size_t normal_room;
 } picture;
 
 static void free_picture(picture *g)
@@ -36,8 +49,8 @@ static void free_picture(picture *g)
     free(g->shape);
     free(g->text);
     free(g->normal);
-    free(g->phase);
-    free_edges(&g->edges);
+    free(g->mu);
+    free(g->director);
 }
 
 /* 0 if it has no direction. */
@@ -70,13 +83,14 @@ static int place_corner(const polygon *p, size_t i, double corner[3], double nor
 /* Copies the outline to the end of the picture's; returns its corners there, NULL if they cannot be drawn. */
 static double *place_corners(picture *g, const polygon *p)
 {
-    double *corner;
+    double *corner, *normal;
     size_t i;
     g->corner = (double *)grow(g->corner, &g->corner_room, 3 * (g->corners + p->n), sizeof *g->corner);
-    g->normal = (double *)grow(g->normal, &g->normal_room, 3 * p->n, sizeof *g->normal);
+    g->normal = (double *)grow(g->normal, &g->normal_room, 3 * (g->corners + p->n), sizeof *g->normal);
     corner = g->corner + 3 * g->corners;
+    normal = g->normal + 3 * g->corners;
     for (i = 0; i < p->n; ++i)
-        if (!place_corner(p, i, corner + 3 * i, g->normal + 3 * i)) return NULL;
+        if (!place_corner(p, i, corner + 3 * i, normal + 3 * i)) return NULL;
     return corner;
 }
 
@@ -85,6 +99,7 @@ static double *place_corners(picture *g, const polygon *p)
 /* Centre and normal: means along the outline. Area: half the sum of cross products about the centre. */
 static void find_centre(shape *s, const picture *g, const double *corner)
 {
+    const double *normal = g->normal + 3 * s->first;
     double weight, total = 0, area[3] = {0, 0, 0}, a[3], b[3], c[3];
     size_t i, j, k;
     for (k = 0; k < 3; ++k) s->centre[k] = s->normal[k] = 0;
@@ -94,7 +109,7 @@ static void find_centre(shape *s, const picture *g, const double *corner)
         total += weight = sqrt(dot(a, a));
         for (k = 0; k < 3; ++k) {
             s->centre[k] += weight * (corner[3 * i + k] + corner[3 * j + k]) / 2;
-            s->normal[k] += weight * (g->normal[3 * i + k] + g->normal[3 * j + k]) / 2;
+            s->normal[k] += weight * (normal[3 * i + k] + normal[3 * j + k]) / 2;
         }
     }
     for (k = 0; k < 3; ++k) s->centre[k] = total > 0 ? s->centre[k] / total : corner[k]; /* all corners in one point */
@@ -110,45 +125,18 @@ static void find_centre(shape *s, const picture *g, const double *corner)
     for (k = 0; k < 3 && g->surface == SPHERE; ++k) s->centre[k] = s->normal[k];
 }
 
-/* Carries a tangent vector from where the normal is n to where it is N, by the smallest rotation that takes n to N. */
-static void tilt(double v[3], const double n[3], const double N[3])
+/* The centre of a measured outline is that of its directions. */
+static void keep_directors(picture *g, shape *s, const measure *m, const options *o)
 {
-    double part = dot(v, N) / (1 + dot(n, N));
-    size_t k;
-    for (k = 0; k < 3; ++k) v[k] -= part * (n[k] + N[k]);
-}
-
-/* Two unit vectors that make a right-handed frame with the normal. */
-static void tangent_axes(const double normal[3], double e1[3], double e2[3])
-{
-    double axis[3] = {0, 0, 0};
-    axis[fabs(normal[0]) < 0.7 ? 0 : 1] = 1;
-    cross(normal, axis, e2);
-    make_unit(e2);
-    cross(e2, normal, e1);
-}
-
-/* The eigenvectors of every edge, tilted to the centre, differ a little there: this is their mean. One of the p is as
-   good as the other, so p times their angle is averaged. */
-static void find_director(shape *s, picture *g, const double *corner, const measure *m, const options *o)
-{
-    int p = o->color_by;
-    double frame[9], e[3], e1[3], e2[3], angle, re = 0, im = 0;
-    size_t i, k;
-    g->phase = (double *)grow(g->phase, &g->phase_room, s->n, sizeof *g->phase);
-    if (surfmink_phases(g->edges.turning, s->n, o->transport, g->phase) != SURFMINK_OK) return;
-    tangent_axes(s->normal, e1, e2);
-    for (i = 0; i < s->n; ++i) {
-        if (surfmink_frame_embedded(corner, g->normal, s->n, i, frame) != SURFMINK_OK) continue;
-        angle = m->theta[p] - g->phase[i];
-        for (k = 0; k < 3; ++k) e[k] = cos(angle) * frame[k] + sin(angle) * frame[3 + k];
-        tilt(e, frame + 6, s->normal);
-        angle = p * atan2(dot(e, e2), dot(e, e1));
-        re += g->edges.length[i] * cos(angle);
-        im += g->edges.length[i] * sin(angle);
-    }
-    angle = atan2(im, re) / p;
-    for (k = 0; k < 3; ++k) s->director[k] = cos(angle) * e1[k] + sin(angle) * e2[k];
+    double *director = g->director + 3 * (size_t)map_colors(o) * (size_t)(s - g->shape);
+    size_t dim = stride_of(g->surface), k;
+    int i;
+    if (!m->has_director) return;
+    for (k = 0; k < 3; ++k) s->normal[k] = m->normal[k];
+    for (k = 0; k < 3; ++k) s->centre[k] = g->surface == SPHERE ? m->normal[k] : m->centre[k];
+    for (i = 0; i < map_colors(o); ++i)
+        for (k = 0; k < dim && has_director(m, map_color(o, i)); ++k)
+            director[3 * i + (int)k] = m->direction[dim * (size_t)map_color(o, i) + k];
 }
 
 /* --- outlines ----------------------------------------------------------------------------------------------------- */
@@ -165,6 +153,7 @@ static size_t keep_text(picture *g, const char *text)
 /* Outlines that were refused are drawn too, as far as they can be. */
 static void add_to_picture(picture *g, polygon *p, const measure *m, const options *o)
 {
+    size_t ranks = (size_t)o->max_rank + 1, colors = (size_t)map_colors(o), k;
     double *corner;
     shape *s;
     g->surface = p->surface;
@@ -172,6 +161,10 @@ static void add_to_picture(picture *g, polygon *p, const measure *m, const optio
     if (m->status == SURFMINK_CLOCKWISE) reverse_corners(p); /* the smaller side is the one to draw */
     if (!(corner = place_corners(g, p))) return;
     g->shape = (shape *)grow(g->shape, &g->shape_room, g->shapes + 1, sizeof *g->shape);
+    g->mu = (double *)grow(g->mu, &g->mu_room, (g->shapes + 1) * ranks, sizeof *g->mu);
+    g->director = (double *)grow(g->director, &g->director_room, (g->shapes + 1) * 3 * colors, sizeof *g->director);
+    for (k = 0; k < 3 * colors; ++k) g->director[3 * colors * g->shapes + k] = 0;
+    for (k = 0; k < ranks; ++k) g->mu[ranks * g->shapes + k] = m->status == SURFMINK_OK ? m->mu[k] : 0;
     s = &g->shape[g->shapes++];
     memset(s, 0, sizeof *s);
     s->first = g->corners;
@@ -180,10 +173,15 @@ static void add_to_picture(picture *g, polygon *p, const measure *m, const optio
     s->status = m->status;
     g->corners += p->n;
     find_centre(s, g, corner);
+    g->area += s->area;
     if (m->status != SURFMINK_OK) return;
-    s->mu = m->mu[o->color_by];
-    measure_edges(&g->edges, p, 1);
-    if (has_direction(m, o->color_by)) find_director(s, g, corner, m, o);
+    ++g->measured;
+    keep_directors(g, s, m, o);
+}
+
+static double mu_of(const picture *g, const options *o, size_t i, int p)
+{
+    return g->mu[((size_t)o->max_rank + 1) * i + (size_t)p];
 }
 
 /* --- where to look from ------------------------------------------------------------------------------------------- */

@@ -40,7 +40,10 @@ static int is_same_file(const char *name, FILE *file, const char *file_name)
 /* What is read must not be written at the same time. (Closed, standard output has left its number to the file.) */
 static void check_outputs(const reader *r, const char *name, const options *o)
 {
-    if (o->svg && is_same_file(o->svg, r->in.file, name)) die("%s: --svg would overwrite it", name);
+    int i;
+    for (i = 0; i < PICTURES; ++i)
+        if (picture_file(o, i) && is_same_file(picture_file(o, i), r->in.file, name))
+            die("%s: --%s would overwrite it", name, picture_option[i]);
 #if HAS_POSIX
     if (fileno(r->in.file) == STDOUT_FILENO) return;
 #endif

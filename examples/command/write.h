@@ -71,6 +71,20 @@ static void put_direction(writer *w, int p, size_t dimensions, const measure *m)
     }
 }
 
+/* The same at the centre, and how well the edges agree about it. */
+static void put_directors(writer *w, int max_rank, size_t dimensions, const measure *m)
+{
+    const measure *ok = m && m->has_director ? m : NULL;
+    size_t k;
+    int p;
+    for (k = 0; k < dimensions; ++k) put_number(w, "center", 0, "xyz"[k], ok ? ok->centre + k : NULL);
+    for (p = 1; p <= max_rank; ++p) {
+        const double *e = ok && has_director(ok, p) ? ok->direction + dimensions * (size_t)p : NULL;
+        for (k = 0; k < dimensions; ++k) put_number(w, "e", p, "xyz"[k], e ? e + k : NULL);
+    }
+    for (p = 1; p <= max_rank; ++p) put_number(w, "coherence", p, 0, ok ? ok->coherence + p : NULL);
+}
+
 /* m is NULL for the line of names. */
 static void write_row(FILE *out, const options *o, const powers_of_ten *powers, enum row row, int surface,
                       const char *id, const measure *m)
@@ -92,7 +106,8 @@ static void write_row(FILE *out, const options *o, const powers_of_ten *powers, 
     put_number(&w, "area", 0, 0, ok && surface != EMBEDDED ? &ok->area : NULL);
     for (p = 1; p <= o->max_rank; ++p) put_number(&w, "mu", p, 0, ok ? ok->mu + p : NULL);
     for (p = 1; p <= o->max_rank; ++p) put_number(&w, "theta", p, 0, ok && has_direction(ok, p) ? ok->theta + p : NULL);
-    for (p = 1; p <= o->max_rank && o->directions; ++p) put_direction(&w, p, stride_of(surface), ok);
+    for (p = 1; p <= o->max_rank && o->directions == AT_FIRST_EDGE; ++p) put_direction(&w, p, stride_of(surface), ok);
+    if (o->directions == AT_CENTER) put_directors(&w, o->max_rank, stride_of(surface), ok);
     fputs(row == JSON_OBJECT ? "}\n" : "\n", out);
 }
 

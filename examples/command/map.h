@@ -1,0 +1,634 @@
+/* map.h - step 5 of the command, if asked for: the shapes of a picture -> a picture of them, in one panel or several.
+
+   Panels differ in the rank that fills the outlines and in where they are seen from. All have the same scale. Each rank
+   has its own colours, for some are always smaller than others: one bar at the right, or one below each panel. */
+#ifndef SURFMINK_COMMAND_MAP_H
+#define SURFMINK_COMMAND_MAP_H
+
+#include "horizon.h"
+#include "svg.h"
+
+enum {
+    BAR_GAP = 28,
+    BAR_WIDTH = 18,
+    BAR_SPACE = 116,
+    BAR_MOST = 280,
+    BAR_LEAST = 160,
+    BAR_ENDS = 60, /* letters above, and half a letter below */
+    BAR_BELOW = 62,
+    PANEL_GAP = 24,
+    PANEL_HEAD = 34,
+    FOOT = 48
+};
+
+/* One panel. */
+typedef struct panel {
+    camera camera;
+    int color;                /* which of the ranks */
+    int rank;                 /* p */
+    const char *from;         /* where it is seen from, if there are several views */
+    double least[2], most[2]; /* what is drawn, in view coordinates */
+    double width, height;     /* pixels */
+    double left, top;         /* pixels, of its upper left corner */
+    double bar_top, bar_tick; /* of the colour bar */
+    int whole_sphere;
+} panel;
+
+typedef struct drawing {
+    FILE *file;
+    const options *options;
+    panel panel[MOST_COLORS]; /* as many as there may be */
+    int panels, columns, rows;
+    const panel *at;      /* the one that is being drawn */
+    double size;          /* pixels of the longer side of a panel, at most */
+    double scale;         /* pixels per unit */
+    double width, height; /* pixels of the largest panel */
+    double shift;         /* pixels down, where the colour bar is taller than the drawing */
+    int page_width, page_height;
+    horizon horizon;
+    points ring;
+} drawing;
+
+/* --- colour ------------------------------------------------------------------------------------------------------- */
+
+/* The colour bar of rank p ends at the first of these that no mu_p exceeds. */
+static double color_top(const picture *g, const options *o, int p, double *tick)
+{
+    static const double top[][2] = {{.05, .01}, {.1, .02}, {.2, .05}, {.3, .1}, {.4, .1},
+                                    {.5, .1},   {.6, .2},  {.8, .2},  {1, .2}};
+    double most = 0;
+    size_t i;
+    int k;
+    for (i = 0; i < g->shapes; ++i) most = fmax(most, mu_of(g, o, i, p));
+    if (most <= 0) most = 1; /* nothing was measured */
+    for (k = 0; k < 8 && most > top[k][0]; ++k) continue;
+    *tick = top[k][1];
+    return top[k][0];
+}
+
+/* --- points ------------------------------------------------------------------------------------------------------- */
+
+static double pixel_x(const drawing *d, double x)
+{
+    return d->at->left + (x - d->at->least[0]) * d->scale;
+}
+
+static double pixel_y(const drawing *d, double y)
+{
+    return d->at->top + (d->at->most[1] - y) * d->scale;
+}
+
+static void put_point(const drawing *d, char command, const double *view)
+{
+    fputc(command, d->file);
+    put_pixels(d->file, pixel_x(d, view[0]));
+    fputc(' ', d->file);
+    put_pixels(d->file, pixel_y(d, view[1]));
+}
+
+/* Points that fall together in the picture are left out: coastlines have many. */
+static void put_ring(const drawing *d, const points *ring)
+{
+    size_t i, last = 0;
+    for (i = 0; i < ring->n; ++i) {
+        const double *x = ring->x + 3 * i, *previous = ring->x + 3 * last;
+        if (i > 0 && hypot(x[0] - previous[0], x[1] - previous[1]) * d->scale < 0.05) continue;
+        put_point(d, i == 0 ? 'M' : 'L', x);
+        last = i;
+    }
+    fputc('Z', d->file);
+}
+
+/* --- size --------------------------------------------------------------------------------------------------------- */
+
+static void include_point(panel *p, const double *view)
+{
+    size_t k;
+    for (k = 0; k < 2; ++k) {
+        p->least[k] = fmin(p->least[k], view[k]);
+        p->most[k] = fmax(p->most[k], view[k]);
+    }
+}
+
+/* The square from -1 to 1: a whole sphere, and what is shown where there is nothing to show. */
+static double show_unit_square(panel *p)
+{
+    size_t k;
+    for (k = 0; k < 2; ++k) p->least[k] = -1, p->most[k] = 1;
+    return 2;
+}
+
+/* A sphere is drawn whole unless the outlines cover so little of it that they could not be told apart. Returns the
+   longer side. */
+static double find_extent(panel *p, const picture *g)
+{
+    double view[3], extent;
+    size_t i, k;
+    for (k = 0; k < 2; ++k) p->least[k] = HUGE_VAL, p->most[k] = -HUGE_VAL;
+    for (i = 0; i < g->corners; ++i) {
+        to_view(&p->camera, g->corner + 3 * i, view);
+        if (g->surface != SPHERE || is_visible(view)) include_point(p, view);
+    }
+    extent = fmax(p->most[0] - p->least[0], p->most[1] - p->least[1]);
+    p->whole_sphere = g->surface == SPHERE && !(extent > 0 && extent < 0.8);
+    if (p->whole_sphere || !(extent > 0)) extent = show_unit_square(p);
+    for (k = 0; k < 2; ++k) { /* room for the lines at the rim */
+        p->least[k] -= p->whole_sphere ? 0.005 : 0.02 * extent;
+        p->most[k] += p->whole_sphere ? 0.005 : 0.02 * extent;
+    }
+    return fmax(p->most[0] - p->least[0], p->most[1] - p->least[1]);
+}
+
+/* Of view i. The back is behind the view before it. */
+static camera camera_of(const picture *g, const options *o, int i)
+{
+    const double above[3] = {0, 0, 1};
+    camera c;
+    size_t k;
+    int turns = 0;
+    for (; i >= 0 && i < o->views && o->view[i].look == LOOK_BACK; --i) ++turns;
+    if (g->surface == PLANE)
+        look_from(&c, above);
+    else if (i >= 0 && i < o->views && o->view[i].look == LOOK_FROM_GIVEN)
+        c = o->view[i].camera;
+    else
+        default_camera(g, &c);
+    for (k = 0; k < 3 && turns % 2; ++k) {
+        c.right[k] = -c.right[k];
+        c.eye[k] = -c.eye[k];
+    }
+    return c;
+}
+
+/* Ranks side by side and views below each other; if there are only ranks or only views, up to three side by side. */
+static void place_panels(drawing *d, const picture *g)
+{
+    const options *o = d->options;
+    int views = o->views > 0 ? o->views : 1, colors = map_colors(o), i;
+    double longest = 0;
+    d->panels = views * colors;
+    d->columns = views > 1 && colors > 1 ? colors : d->panels == 4 ? 2 : d->panels < 3 ? d->panels : 3;
+    d->rows = (d->panels + d->columns - 1) / d->columns;
+    d->size = d->columns == 1 ? 720 : d->columns == 2 ? 520 : d->columns == 3 ? 400 : 300;
+    for (i = 0; i < d->panels; ++i) {
+        panel *p = &d->panel[i];
+        p->color = i % colors;
+        p->rank = map_color(o, p->color);
+        p->from = views > 1 ? o->view[i / colors].text : NULL;
+        p->camera = camera_of(g, o, i / colors);
+        p->bar_top = color_top(g, o, p->rank, &p->bar_tick);
+        longest = fmax(longest, find_extent(p, g));
+    }
+    d->scale = d->size / longest;
+    for (i = 0; i < d->panels; ++i) {
+        d->panel[i].width = d->scale * (d->panel[i].most[0] - d->panel[i].least[0]);
+        d->panel[i].height = d->scale * (d->panel[i].most[1] - d->panel[i].least[1]);
+        d->width = fmax(d->width, d->panel[i].width);
+        d->height = fmax(d->height, d->panel[i].height);
+    }
+}
+
+/* All that is drawn, without margins, title, foot and colour bar. */
+static double panels_width(const drawing *d)
+{
+    return d->columns * d->width + (d->columns - 1) * PANEL_GAP;
+}
+
+static int panel_head(const drawing *d)
+{
+    return d->panels > 1 ? PANEL_HEAD : 0;
+}
+
+static int bars_are_below(const drawing *d)
+{
+    return map_colors(d->options) > 1;
+}
+
+static int panel_foot(const drawing *d)
+{
+    return bars_are_below(d) ? BAR_BELOW : 0;
+}
+
+static double panels_height(const drawing *d)
+{
+    return d->rows * (d->height + panel_head(d) + panel_foot(d)) + (d->rows - 1) * PANEL_GAP;
+}
+
+/* Of the one at the right. */
+static double bar_height(const drawing *d)
+{
+    return fmin(BAR_MOST, fmax(BAR_LEAST, panels_height(d) - BAR_ENDS));
+}
+
+static void lay_out(drawing *d)
+{
+    int i;
+    d->shift = bars_are_below(d) ? 0 : fmax(0, (BAR_LEAST + BAR_ENDS - panels_height(d)) / 2);
+    for (i = 0; i < d->panels; ++i) {
+        panel *p = &d->panel[i];
+        p->left = MARGIN + i % d->columns * (d->width + PANEL_GAP) + (d->width - p->width) / 2;
+        p->top = MARGIN + title_space(d->options) + d->shift + panel_head(d) +
+                 i / d->columns * (d->height + panel_head(d) + panel_foot(d) + PANEL_GAP) + (d->height - p->height) / 2;
+    }
+    d->page_width = 2 * MARGIN + (bars_are_below(d) ? 0 : BAR_SPACE) + (int)ceil(panels_width(d));
+    d->page_height = 2 * MARGIN + title_space(d->options) + (int)ceil(panels_height(d) + 2 * d->shift) + FOOT;
+}
+
+/* --- the sphere below --------------------------------------------------------------------------------------------- */
+
+static int grid_step(const drawing *d)
+{
+    return d->at->whole_sphere ? 30 : 10;
+}
+
+/* A line of constant longitude or latitude, as far as it faces the eye. */
+static void put_graticule_line(const drawing *d, int is_meridian, int degrees)
+{
+    int along, is_down = 0;
+    double point[3], view[3];
+    for (along = is_meridian ? -90 : -180; along <= (is_meridian ? 90 : 180); along += 2) {
+        surfmink_from_lonlat(is_meridian ? degrees : along, is_meridian ? along : degrees, 1, point);
+        to_view(&d->at->camera, point, view);
+        if (is_visible(view)) put_point(d, is_down ? 'L' : 'M', view);
+        is_down = is_visible(view);
+    }
+}
+
+static void draw_sphere(const drawing *d)
+{
+    const double origin[3] = {0, 0, 0};
+    int degrees, step = grid_step(d);
+    fputs("<circle cx=\"", d->file);
+    put_pixels(d->file, pixel_x(d, origin[0]));
+    fputs("\" cy=\"", d->file);
+    put_pixels(d->file, pixel_y(d, origin[1]));
+    fputs("\" r=\"", d->file);
+    put_pixels(d->file, d->scale);
+    fputs("\" fill=\"#f3f5f8\" stroke=\"#aeb7c1\"/>\n<path fill=\"none\" stroke=\"#d3dae1\" stroke-width=\".7\" d=\"",
+          d->file);
+    for (degrees = -180; degrees < 180; degrees += step) put_graticule_line(d, 1, degrees);
+    for (degrees = step - 90; degrees < 90; degrees += step) put_graticule_line(d, 0, degrees);
+    fputs("\"/>\n", d->file);
+}
+
+/* --- outlines ----------------------------------------------------------------------------------------------------- */
+
+/* The outline in view coordinates; of the sphere with points between the corners. */
+static void find_outline(drawing *d, const picture *g, const shape *s)
+{
+    const double *corner = g->corner + 3 * s->first;
+    double view[3];
+    size_t i;
+    d->horizon.outline.n = 0;
+    for (i = 0; i < s->n; ++i)
+        if (g->surface == SPHERE)
+            add_edge(&d->horizon, &d->at->camera, corner + 3 * i, corner + 3 * (i + 1 < s->n ? i + 1 : 0));
+        else {
+            to_view(&d->at->camera, corner + 3 * i, view);
+            add_point(&d->horizon.outline, view);
+        }
+    if (g->surface == SPHERE)
+        find_pieces(&d->horizon);
+    else
+        d->horizon.pieces = 0;
+}
+
+/* Can anything of it be seen? */
+static int faces_eye(const drawing *d, const picture *g, const shape *s)
+{
+    if (g->surface == SPHERE) return d->horizon.pieces > 0 || is_visible(d->horizon.outline.x);
+    return dot(s->normal, d->at->camera.eye) > 0;
+}
+
+static double mu_here(const drawing *d, const picture *g, const shape *s)
+{
+    return mu_of(g, d->options, (size_t)(s - g->shape), d->at->rank);
+}
+
+static void put_tooltip(const drawing *d, const picture *g, const shape *s)
+{
+    fputs("<title>", d->file);
+    put_text(d->file, g->text + s->id, IN_XML);
+    if (s->status == SURFMINK_OK) {
+        fprintf(d->file, ": mu_%d = ", d->at->rank);
+        put_decimals(d->file, mu_here(d, g, s), 4);
+    } else
+        fprintf(d->file, ": %s", surfmink_status_name(s->status));
+    fputs("</title>", d->file);
+}
+
+/* Thin enough to leave small outlines their colour. */
+static double line_width(const drawing *d, const picture *g)
+{
+    return fmin(1, fmax(0.2, 0.035 * d->scale * sqrt(g->area / (double)(g->shapes + 1))));
+}
+
+/* What is seen from the side has thinner lines, or they would cover it. */
+static void thin_line(const drawing *d, const picture *g, const shape *s)
+{
+    double facing = dot(s->normal, d->at->camera.eye);
+    if (!(facing < 0.6)) return;
+    fputs(" stroke-width=\"", d->file);
+    put_decimals(d->file, line_width(d, g) * fmax(0.15, facing / 0.6), 2);
+    fputc('"', d->file);
+}
+
+static void draw_outline(drawing *d, const picture *g, const shape *s)
+{
+    fputs("<path d=\"", d->file);
+    if (d->horizon.pieces == 0) put_ring(d, &d->horizon.outline);
+    while (d->horizon.pieces > 0 && next_ring(&d->horizon, &d->ring)) put_ring(d, &d->ring);
+    if (s->status == SURFMINK_OK) {
+        fputs("\" fill=\"", d->file);
+        put_color(d->file, mu_here(d, g, s) / d->at->bar_top);
+        fputs("\"", d->file);
+    } else
+        fputs("\" fill=\"url(#refused)\" stroke=\"#8a8a8a\"", d->file);
+    thin_line(d, g, s);
+    fputc('>', d->file);
+    put_tooltip(d, g, s);
+    fputs("</path>\n", d->file);
+}
+
+/* p strokes from the centre along the eigenvectors, longer where mu_p is larger (its root: small mu_p are common). Dark
+   ones on a light ground, and light ones on a dark one. */
+static void draw_glyph(const drawing *d, const picture *g, const shape *s)
+{
+    const double *director =
+        g->director + 3 * ((size_t)map_colors(d->options) * (size_t)(s - g->shape) + (size_t)d->at->color);
+    int k, p = d->at->rank;
+    double mu = mu_here(d, g, s), reach = 0.65 * sqrt(s->area / 3.141592653589793 * mu / d->at->bar_top);
+    double side[3], end[3], view[3], angle;
+    size_t j;
+    if (dot(director, director) < 0.5 || reach * d->scale < 1.5 || dot(s->normal, d->at->camera.eye) < 0.15) return;
+    cross(s->normal, director, side);
+    fputs("<path fill=\"none\" stroke-linecap=\"round\" d=\"", d->file);
+    for (k = 0; k < p; ++k) {
+        angle = 6.283185307179586 * k / p;
+        for (j = 0; j < 3; ++j) end[j] = s->centre[j] + reach * (cos(angle) * director[j] + sin(angle) * side[j]);
+        to_view(&d->at->camera, s->centre, view);
+        put_point(d, 'M', view);
+        to_view(&d->at->camera, end, view);
+        put_point(d, 'L', view);
+    }
+    fprintf(d->file, "\" stroke=\"%s\" stroke-width=\"", mu < 0.62 * d->at->bar_top ? "#fff" : "#2b2161");
+    put_pixels(d->file,
+               fmax(0.5, fmin(2.2, 0.13 * reach * d->scale) * fmin(1, 1.5 * dot(s->normal, d->at->camera.eye))));
+    fputs("\"/>\n", d->file);
+}
+
+/* --- order -------------------------------------------------------------------------------------------------------- */
+
+typedef struct depth {
+    double towards_eye;
+    size_t shape;
+} depth;
+
+static int farther_first(const void *a, const void *b)
+{
+    const depth *x = (const depth *)a, *y = (const depth *)b;
+    if (x->towards_eye < y->towards_eye || x->towards_eye > y->towards_eye)
+        return x->towards_eye < y->towards_eye ? -1 : 1;
+    return (x->shape > y->shape) - (x->shape < y->shape);
+}
+
+/* What is nearer is drawn later. Outlines of a plane or a sphere cannot hide each other: they keep their order. */
+static depth *sort_shapes(const drawing *d, const picture *g)
+{
+    depth *order = (depth *)resize(NULL, g->shapes + 1, sizeof *order);
+    size_t i;
+    for (i = 0; i < g->shapes; ++i) {
+        order[i].shape = i;
+        order[i].towards_eye = g->surface == EMBEDDED ? dot(g->shape[i].centre, d->at->camera.eye) : 0;
+    }
+    qsort(order, g->shapes, sizeof *order, farther_first);
+    return order;
+}
+
+static void draw_shapes(drawing *d, const picture *g)
+{
+    depth *order = sort_shapes(d, g);
+    size_t i;
+    int glyphs_last = g->surface != EMBEDDED; /* over all outlines, unless a nearer one has to hide them */
+    for (i = 0; i < g->shapes; ++i) {
+        const shape *s = &g->shape[order[i].shape];
+        find_outline(d, g, s);
+        if (!faces_eye(d, g, s)) continue;
+        draw_outline(d, g, s);
+        if (!glyphs_last) draw_glyph(d, g, s);
+    }
+    for (i = 0; i < g->shapes && glyphs_last; ++i) draw_glyph(d, g, &g->shape[i]);
+    free(order);
+}
+
+/* --- beside the panels -------------------------------------------------------------------------------------------- */
+
+static void draw_bar(const drawing *d)
+{
+    const panel *p = &d->panel[0];
+    double x = MARGIN + panels_width(d) + BAR_GAP, height = bar_height(d), at;
+    double y = MARGIN + title_space(d->options) + d->shift + (panels_height(d) + 36 - height) / 2;
+    int i, ticks = (int)(p->bar_top / p->bar_tick + 0.5);
+    fputs("<g fill=\"#222\" transform=\"translate(", d->file);
+    put_pixels(d->file, x);
+    fputc(' ', d->file);
+    put_pixels(d->file, y);
+    fputs(")\">\n", d->file);
+    begin_text(d->file, 0, -18, AT_START, "font-size=\"26\"");
+    put_mu(d->file, p->rank);
+    fprintf(d->file, "</text>\n<rect width=\"%d\" height=\"", BAR_WIDTH);
+    put_pixels(d->file, height);
+    fputs("\" fill=\"url(#bar)\" stroke=\"#222\" stroke-width=\".7\"/>\n", d->file);
+    for (i = 0; i <= ticks; ++i) {
+        at = height * (1 - (double)i / ticks);
+        fputs("<path stroke=\"#222\" d=\"", d->file);
+        put_line(d->file, BAR_WIDTH, at, 'h', 6);
+        fputs("\"/>", d->file);
+        put_tick(d->file, BAR_WIDTH + 11, at + 7, AT_START, i * p->bar_tick);
+    }
+    fputs("</g>\n", d->file);
+}
+
+/* Below a panel, as wide as half of it. */
+static void draw_bar_below(const drawing *d)
+{
+    const panel *p = d->at;
+    double width = 0.6 * d->width, x = p->left + p->width / 2 - width / 2, at;
+    double y = p->top + p->height + (d->height - p->height) / 2 + 12;
+    int i, ticks = (int)(p->bar_top / p->bar_tick + 0.5), every = ticks > 6 || width < 200 ? 2 : 1;
+    if (ticks % every) every = 1;
+    fputs("<g fill=\"#222\" transform=\"translate(", d->file);
+    put_pixels(d->file, x);
+    fputc(' ', d->file);
+    put_pixels(d->file, y);
+    fputs(")\">\n<rect width=\"", d->file);
+    put_pixels(d->file, width);
+    fputs("\" height=\"14\" fill=\"url(#bar_below)\" stroke=\"#222\" stroke-width=\".7\"/>\n", d->file);
+    for (i = 0; i <= ticks; i += every) {
+        at = width * i / ticks;
+        fputs("<path stroke=\"#222\" d=\"", d->file);
+        put_line(d->file, at, 14, 'v', 5);
+        fputs("\"/>", d->file);
+        put_tick(d->file, at, 38, AT_MIDDLE, i * p->bar_tick);
+    }
+    fputs("</g>\n", d->file);
+}
+
+/* In the lower right corner. */
+static void draw_refused(const drawing *d)
+{
+    double x = d->page_width - MARGIN - 108, y = d->page_height - MARGIN - 12;
+    fputs("<rect x=\"", d->file);
+    put_pixels(d->file, x);
+    fputs("\" y=\"", d->file);
+    put_pixels(d->file, y - 9);
+    fprintf(d->file, "\" width=\"%d\" height=\"%d\" fill=\"url(#refused)\" stroke=\"#8a8a8a\"/>\n<g fill=\"#222\">",
+            BAR_WIDTH, BAR_WIDTH);
+    put_label(d->file, x + BAR_WIDTH + 9, y + 7, AT_START, "refused");
+    fputs("</g>\n", d->file);
+}
+
+/* A length that is about a fifth of a panel. On a sphere it holds at the middle; without a radius what can be said is
+   how far the lines of the grid are apart. */
+static void draw_scale(const drawing *d, const picture *g)
+{
+    double pixels = d->scale / (g->surface == SPHERE && d->options->radius > 0 ? d->options->radius : 1), length;
+    double y = d->page_height - MARGIN - 12;
+    char text[32];
+    if (g->corners == 0) return;
+    if (g->surface == SPHERE && !(d->options->radius > 0)) {
+        if (g->area > 10) return; /* almost 4 pi: nothing of the grid can be seen */
+        snprintf(text, sizeof text, "grid: %d\xc2\xb0", d->panel[0].whole_sphere ? 30 : 10);
+        fputs("<g fill=\"#222\">", d->file);
+        put_label(d->file, MARGIN, y + 7, AT_START, text);
+        fputs("</g>\n", d->file);
+        return;
+    }
+    length = round_step(0.25 * d->width / pixels);
+    fputs("<path fill=\"none\" stroke=\"#222\" stroke-width=\"4\" d=\"", d->file);
+    put_line(d->file, MARGIN, y, 'h', length * pixels);
+    fputs("\"/>\n<g fill=\"#222\">", d->file);
+    begin_text(d->file, MARGIN + length * pixels + 12, y + 7, AT_START, "");
+    *write_number(NULL, text, 4, length) = '\0';
+    fputs(text, d->file);
+    if (d->options->unit) {
+        fputc(' ', d->file);
+        put_text(d->file, d->options->unit, IN_XML);
+    }
+    fputs("</text>\n</g>\n", d->file);
+}
+
+static void define_fills(const drawing *d)
+{
+    int i;
+    fprintf(d->file, "<defs>\n<linearGradient id=\"%s>\n",
+            bars_are_below(d) ? "bar_below\"" : "bar\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\"");
+    for (i = 0; i <= 10; ++i) {
+        fprintf(d->file, "<stop offset=\"%d.%d\" stop-color=\"", i / 10, i % 10);
+        put_color(d->file, 0.1 * i);
+        fputs("\"/>\n", d->file);
+    }
+    fputs("</linearGradient>\n"
+          "<pattern id=\"refused\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" "
+          "patternTransform=\"rotate(45)\">"
+          "<rect width=\"5\" height=\"5\" fill=\"#ececec\"/><path d=\"M0 0v5\" stroke=\"#8a8a8a\" stroke-width=\"2\"/>"
+          "</pattern>\n",
+          d->file);
+    for (i = 0; i < d->panels; ++i) {
+        fprintf(d->file, "<clipPath id=\"panel%d\"><rect x=\"", i);
+        put_pixels(d->file, d->panel[i].left);
+        fputs("\" y=\"", d->file);
+        put_pixels(d->file, d->panel[i].top);
+        fputs("\" width=\"", d->file);
+        put_pixels(d->file, d->panel[i].width);
+        fputs("\" height=\"", d->file);
+        put_pixels(d->file, d->panel[i].height);
+        fputs("\"/></clipPath>\n", d->file);
+    }
+    fputs("</defs>\n", d->file);
+}
+
+/* --- the file ----------------------------------------------------------------------------------------------------- */
+
+static void put_ranks(FILE *file, const options *o)
+{
+    int i;
+    for (i = 0; i < map_colors(o); ++i) fprintf(file, "%smu_%d", i > 0 ? ", " : "", map_color(o, i));
+}
+
+static void begin_map(const drawing *d, const picture *g)
+{
+    int i;
+    begin_page(d->file, d->page_width, d->page_height, d->options, "Outlines and their p-fold symmetry");
+    fprintf(d->file, "%lu outlines (%lu of them refused) filled by ", (unsigned long)g->shapes,
+            (unsigned long)(g->shapes - g->measured));
+    put_ranks(d->file, d->options);
+    fputs(", dark for 0 to light for ", d->file);
+    for (i = 0; i < map_colors(d->options); ++i) {
+        if (i > 0) fputs(", ", d->file);
+        put_decimals(d->file, d->panel[i].bar_top, 2);
+    }
+    fputs(". Strokes: eigenvectors of the positive eigenvalue at the middle of each outline, longer where mu_p is "
+          "larger. "
+          "Drawn by surfmink " SURFMINK_VERSION ".",
+          d->file);
+    end_description(d->file, d->page_width, d->options);
+    define_fills(d);
+}
+
+static void draw_head(const drawing *d, int i)
+{
+    double left = MARGIN + i % d->columns * (d->width + PANEL_GAP);
+    double y = d->at->top - (d->height - d->at->height) / 2 - 12;
+    if (d->panels == 1) return;
+    fputs("<g fill=\"#222\">", d->file);
+    put_letter(d->file, left, y, i);
+    begin_text(d->file, left + d->width / 2, y, AT_MIDDLE, "font-size=\"22\"");
+    if (map_colors(d->options) > 1) put_mu(d->file, d->at->rank);
+    if (d->at->from) {
+        fprintf(d->file, "<tspan%s>%s", map_colors(d->options) > 1 ? " dy=\"-5\"" : "",
+                map_colors(d->options) > 1 ? ", " : "");
+        put_text(d->file, d->at->from, IN_XML);
+        fputs("</tspan>", d->file);
+    }
+    fputs("</text>\n</g>\n", d->file);
+}
+
+static void draw_panel(drawing *d, const picture *g, int i)
+{
+    d->at = &d->panel[i];
+    draw_head(d, i);
+    if (g->surface == SPHERE)
+        fprintf(d->file, "<g clip-path=\"url(#panel%d)\">\n", i);
+    else
+        fputs("<g>\n", d->file);
+    if (g->surface == SPHERE) draw_sphere(d);
+    fputs("<g stroke=\"#fff\" stroke-width=\"", d->file);
+    put_decimals(d->file, line_width(d, g), 2);
+    fputs("\" stroke-linejoin=\"round\">\n", d->file);
+    draw_shapes(d, g);
+    fputs("</g>\n</g>\n", d->file);
+    if (bars_are_below(d)) draw_bar_below(d);
+}
+
+static void write_map(const picture *g, const options *o)
+{
+    drawing d;
+    int i;
+    memset(&d, 0, sizeof d);
+    d.options = o;
+    place_panels(&d, g);
+    lay_out(&d);
+    d.file = open_page(o->svg);
+    begin_map(&d, g);
+    for (i = 0; i < d.panels; ++i) draw_panel(&d, g, i);
+    if (!bars_are_below(&d)) draw_bar(&d);
+    if (g->measured < g->shapes) draw_refused(&d);
+    draw_scale(&d, g);
+    fputs("</svg>\n", d.file);
+    close_page(d.file, o->svg);
+    free_horizon(&d.horizon);
+    free(d.ring.x);
+}
+
+#endif
