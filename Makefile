@@ -103,6 +103,7 @@ pictures: $(theories)
 test: all $(theorems) $(theories)
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
+	  "sh tests/test_pictures.sh $(BUILD)/surfmink" \
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
 	  "sh tests/test_abuse.sh $(BUILD)" \
 	  "sh tests/test_scaling.sh $(BUILD)/surfmink" \

@@ -838,7 +838,7 @@ run --help
 check "help: exit status" "$status" 0
 check "help leads with examples" "$(sed -n 3p out)" EXAMPLES
 for option in surface radius max-rank transport smooth reverse merge digits directions json svg color-by view \
-    summary quiet help version; do
+    histogram scatter ply title unit summary quiet help version; do
     has "help explains --$option" out "  --$option"
 done
 run --version
@@ -868,13 +868,33 @@ wrong "--max-rank is a whole number from 1 to 1000000, not '2.5'" --max-rank 2.5
 wrong "--smooth is a whole number from 0 to 1000000, not '-1'" --smooth -1
 wrong "--digits is a whole number from 1 to 17, not '18'" --digits 18
 wrong "--json takes no value" --json=yes
-wrong "--color-by is one of mu_1, mu_2, ..., not 'mu_0'" --color-by mu_0
+wrong "--color-by is one of mu_1, mu_2, ... or several, not 'mu_0'" --color-by mu_0
+wrong "--color-by is one of mu_1, mu_2, ... or several, not '2,,3'" --color-by 2,,3
+wrong "--color-by is one of mu_1, mu_2, ... or several, not 'mu_2,'" --color-by mu_2,
+wrong "--color-by is one of mu_1, mu_2, ... or several, not ''" --color-by ''
+wrong "--color-by is one of mu_1, mu_2, ... or several, not '99999999999999999999'" --color-by 99999999999999999999
+wrong "--color-by takes at most 12 ranks" --color-by 1,1,1,1,1,1,1,1,1,1,1,1,1
+wrong "--color-by mu_7 needs --max-rank 7" --color-by mu_2,mu_7 --svg a.svg
 wrong "--color-by mu_7 needs --max-rank 7" --color-by mu_7 --svg a.svg
 wrong "--color-by is for pictures" --color-by mu_2
 wrong "--view is for pictures" --view 1,2
-wrong "--view is LON,LAT in degrees or a direction X,Y,Z, not '1'" --svg a.svg --view 1
-wrong "--view is LON,LAT in degrees or a direction X,Y,Z, not '0,0,0'" --svg a.svg --view 0,0,0
+wrong "--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '1'" --svg a.svg --view 1
+wrong "--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '0,0,0'" --svg a.svg --view 0,0,0
+wrong "--view can be given 6 times at most" --view 1,2 --view 1,2 --view 1,2 --view 1,2 --view 1,2 --view 1,2 --view 1,2
+wrong "--svg draws 12 panels at most" --svg a.svg --view front --view back --view 1,2 --view 1,3 --view 1,4 --color-by 1,2,3
 wrong "--view 1,91: a latitude" --svg a.svg --view 1,91
 wrong "--svg needs the name of a file" --svg -
+wrong "--histogram needs the name of a file" --histogram=
+wrong "--scatter needs the name of a file" --scatter -
+wrong "--ply needs the name of a file" --ply -
+wrong "--svg and --ply would write the same file" --svg a --histogram b --ply a
+wrong "--title is for pictures" --title x
+wrong "--title is for pictures" --title x --ply a.ply
+wrong "--unit is for pictures" --unit um --histogram a.svg
+wrong "--view is for pictures" --view 1,2 --ply a.ply
+wrong "--scatter needs two ranks" --scatter a.svg --color-by mu_2
+wrong "--scatter needs two ranks" --scatter a.svg --max-rank 1
+wrong "--directions is edge, center or centre, not 'middle'" --directions=middle
+wrong "--title needs a value" --title
 
 totals

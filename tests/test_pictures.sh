@@ -1,0 +1,309 @@
+#!/bin/sh
+# test_pictures.sh COMMAND: holds the pictures, charts and polygons in space that `surfmink` draws, and the directions at
+# the centre, to its table and to its --help. Needs only a POSIX shell. Run it from the root of the repository.
+. "$(dirname "$0")/harness.sh"
+surfmink=$(absolute "$1")
+data=$(absolute examples/data)
+cd "$work" || exit 1
+
+# run ARGUMENT...: the command, with the file `in` as its standard input; leaves out, err and $status.
+run() {
+    "$surfmink" "$@" < in > out 2> err
+    status=$?
+}
+
+# A column (by name) of all rows, one a line; undefined values as -.
+column() {
+    awk -F '\t' -v name="$1" '
+        NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) column = i }
+        NR > 1 { print $column == "" ? "-" : $column }' "${2-out}"
+}
+
+# near_lists NAME GOT WANT WITHIN: two lists of numbers, one a line, that agree.
+near_lists() {
+    printf '%s\n' "$2" > got
+    printf '%s\n' "$3" > want
+    worst=$(paste got want | awk '
+        NF != 2 { print "another number of lines"; exit }
+        { d = $1 - $2; if (d < 0) d = -d; if (d > worst) worst = d }
+        END { print worst + 0 }')
+    awk -v worst="$worst" -v within="$4" 'BEGIN { exit !(worst ~ /^[0-9.e-]+$/ && worst <= within) }'
+    count $? "$1" "$worst apart" "within $4"
+}
+
+# stopped NAME TEXT
+stopped() {
+    check "$1: exit status" "$status" 1
+    has "$1: message" err "$2"
+}
+
+cat > shapes.tsv << 'END'
+cell	x	y
+box	0	0
+box	3	0
+box	3	1
+box	0	1
+tri	4	0
+tri	6	0
+tri	5	1.7320508075688772
+kite	7	0
+kite	9	1
+kite	8	1.2
+kite	7	3
+END
+printf 'bad\t0\t5\nbad\t0\t6\nbad\t1\t6\n' | cat shapes.tsv - > four.tsv
+: > in
+
+# --- directions at the centre -----------------------------------------------------------------------------------------
+
+run shapes.tsv --directions center --max-rank 3
+check "names of the columns" "$(head -n 1 out | cut -f 13- | tr '\t' ' ')" \
+    "center_x center_y e_1_x e_1_y e_2_x e_2_y e_3_x e_3_y coherence_1 coherence_2 coherence_3"
+near_lists "the middle of a box" "$(column center_x | head -n 1)" 1.5 1e-15
+near_lists "the direction of a box crosses its long side" "$(column e_2_y | head -n 1 | tr -d -)" 1 1e-15
+check "what has no mu_p has no direction" "$(column e_3_x | head -n 1)" -
+near_lists "in the plane all edges agree" "$(column coherence_2)" "1
+1
+1" 1e-14
+cp out center
+run shapes.tsv --directions --max-rank 3
+check "at the edge: no centre" "$(head -n 1 out | cut -f 13- | tr '\t' ' ')" "e_1_x e_1_y e_2_x e_2_y e_3_x e_3_y"
+for column in e_2_x e_2_y e_3_x e_3_y; do
+    near_lists "in the plane it is the same direction: $column" "$(column $column | tail -n 1)" \
+        "$(column $column center | tail -n 1)" 1e-14
+done
+run --directions edge --max-rank 3 shapes.tsv
+cp out edge
+run --directions --max-rank 3 shapes.tsv
+check "edge is what --directions means" "$(cmp out edge)" ""
+run --directions=centre --max-rank 3 shapes.tsv
+check "in both spellings" "$(cmp out center)" ""
+run --max-rank 3 --directions shapes.tsv
+check "--directions before a file" "$(cmp out edge)" ""
+run four.tsv --directions center --max-rank 2 --json
+check "JSON" "$(tail -n 1 out | sed 's/null/-/g; s/.*theta_2":-,//')" \
+    '"center_x":-,"center_y":-,"e_1_x":-,"e_1_y":-,"e_2_x":-,"e_2_y":-,"coherence_1":-,"coherence_2":-}'
+has "JSON: a direction" out '"center_x":1.5,"center_y":0.5,"e_1_x":null,"e_1_y":null,"e_2_x":'
+
+printf 'ring lon lat\no 0 0\no 90 0\no 0 90\n' > in
+run --directions center --radius 3
+near_lists "an octant: the centre lies on the sphere" "$(column center_x; column center_y; column center_z)" \
+    "1.7320508075688772
+1.7320508075688772
+1.7320508075688772" 1e-15
+# Three corners, at least one of them in every direction of rank 3; the first edge lies opposite to the pole.
+near_lists "an octant: the direction leads away from a corner" "$(
+    awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i }
+        NR == 2 { x = $at["e_3_x"]; y = $at["e_3_y"]; z = $at["e_3_z"]
+                  print (x < y ? (x < z ? x : z) : (y < z ? y : z)) }' out)" -0.81649658092772603 1e-15
+near_lists "an octant: all edges agree" "$(column coherence_3)" 1 1e-15
+run --directions center --transport parallel
+near_lists "but not by the classical transport" "$(column coherence_4)" 0 1e-15
+run "$data/tissue.tsv" --directions center
+check "400 cells: directions are unit, tangent to no less than the mean normal, and the edges of a cell agree" "$(
+    awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+        { for (p = 1; p <= 6; ++p) {
+            if ($at["coherence_" p] < 0.98 || $at["coherence_" p] > 1) ++bad
+            d = $at["e_" p "_x"] ^ 2 + $at["e_" p "_y"] ^ 2 + $at["e_" p "_z"] ^ 2 - 1
+            if (d * d > 1e-28) ++bad } }
+        END { print bad + 0, NR }' out)" "0 401"
+
+# --- outlines ---------------------------------------------------------------------------------------------------------
+
+# strokes FILE WHICH: angles of the strokes of an outline, in degrees, up is 90.
+strokes() {
+    sed -n 's/.*stroke-linecap.* d="M\([^"]*\)".*/\1/p' "$1" | sed -n "$2p" | tr 'M' '\n' | tr 'L' ' ' |
+        awk '{ print atan2($2 - $4, $3 - $1) * 57.29577951308232 }'
+}
+run four.tsv --svg a.svg --color-by mu_3 --quiet --title 'Cells <& "more">' --unit "a & b"
+run four.tsv --svg b.svg --color-by mu_3 --quiet --title 'Cells <& "more">' --unit "a & b"
+check "the same bytes again" "$(cmp a.svg b.svg)" ""
+has "title, for whoever cannot see" a.svg '<title id="title">Cells &#60;&#38; &#34;more&#34;&#62;</title>'
+check "title, for whoever can" "$(grep -c '>Cells &#60;&#38; &#34;more&#34;&#62;</text>' a.svg)" 1
+has "unit at the scale bar" a.svg '>2 a &#38; b</text>'
+has "description: what is drawn" a.svg '<desc id="description">4 outlines (1 of them refused) filled by mu_3, dark for 0 to'
+check "no fonts but the reader's, and nothing from elsewhere" "$(grep -c 'href\|font-face\|url(http' a.svg)" 0
+# The scale bar is 2 units long, and so is the lower edge of the triangle.
+bar=$(sed -n 's/.*stroke-width="4" d="M[0-9. ]*h\([0-9.]*\)".*/\1/p' a.svg)
+side=$(sed -n 's/.*d="M\([0-9.]*\) [0-9.]*L\([0-9.]*\) .*<title>tri:.*/\2 \1/p' a.svg | awk '{ print $1 - $2 }')
+near_lists "the scale bar is as long as it says" "$bar" "$side" 0.02
+run shapes.tsv --directions center --max-rank 3 --svg a.svg --color-by mu_3
+check "three strokes each, of the triangle and the kite" "$(grep -c stroke-linecap a.svg)" 2
+for which in 1 2; do
+    want=$(awk -F '\t' -v row=$which 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i }
+        NR == row + 2 { print atan2($at["e_3_y"], $at["e_3_x"]) * 57.29577951308232 }' out)
+    got=$(strokes a.svg $which | head -n 1)
+    near_lists "strokes point where the table says: $which" "$got" "$want" 0.1
+    near_lists "and a third of a turn on: $which" "$(strokes a.svg $which | sed -n 2p)" \
+        "$(echo "$got" | awk '{ a = $1 + 120; print (a > 180 ? a - 360 : a) }')" 0.2
+done
+
+# fills FILE ID: the colours of an outline in each panel.
+fills() {
+    sed -n "s/.* fill=\"\(#[0-9a-f]*\)\".*<title>$2: \(mu_[0-9]*\) = .*/\2\1/p" "$1" | tr '\n' ' '
+}
+run shapes.tsv --svg a.svg --color-by mu_2,mu_3,mu_4
+check "a panel for each rank" "$(grep -c '<title>tri: mu_[234] = ' a.svg)" 3
+check "with a letter each" "$(grep -o 'bold">[a-z]<' a.svg | tr -cd 'a-z\n' | sed 's/bold//' | tr '\n' ' ')" "a b c "
+check "and a bar each" "$(grep -c 'url(#bar_below)' a.svg)" 3
+check "the triangle is dark, light, dark" "$(fills a.svg tri)" "mu_2#2b2161 mu_3#f3e890 mu_4#2b2161 "
+run shapes.tsv --svg b.svg --color-by mu_3
+check "colours do not depend on the panels" "$(fills b.svg kite)" "$(fills a.svg kite | grep -o 'mu_3[^ ]* ')"
+check "one panel has no letter, and its bar at the right" "$(grep -c 'bold">\|bar_below' b.svg) $(grep -c 'url(#bar)' b.svg)" "0 1"
+printf 'ring lon lat\n' > in
+for lon in 0 60 120 180 240 300; do
+    printf "c$lon $((lon - 5)) -5\nc$lon $((lon + 5)) -5\nc$lon $((lon + 5)) 5\nc$lon $((lon - 5)) 5\n"
+done >> in
+seen() {
+    sed -n 's/.*<title>\([^:]*\):.*/\1/p' a.svg | tr '\n' ' '
+}
+run --svg a.svg --view 10,0 --view back --view back
+check "front, behind that, and behind that again" "$(seen)" "c0 c60 c300 c120 c180 c240 c0 c60 c300 "
+check "what is east on the front is west on the back" "$(
+    sed -n 's/<path d="M\([0-9.]*\).*<title>\(c60\|c120\):.*/\1/p' a.svg | head -n 2 | awk '{ print ($1 > 280) }' | tr '\n' ' ')" "1 1 "
+has "views are named" a.svg '<tspan>10,0</tspan>'
+check "a sphere without a radius: the grid is the scale" "$(grep -c '>grid: 30' a.svg)" 1
+run --svg a.svg --view 10,0 --radius 6371 --unit km
+has "with one: a length" a.svg '>2000 km</text>'
+near_lists "2000 of 6371, where the radius has 720 / 2.01 pixels" \
+    "$(sed -n 's/.*stroke-width="4" d="M[0-9. ]*h\([0-9.]*\)".*/\1/p' a.svg)" 112.448 0.01
+run --svg a.svg --view back
+cp a.svg b.svg
+run --svg a.svg
+check "back alone is behind where most can be seen from" "$(cmp -s a.svg b.svg; echo $?)" 1
+run --svg a.svg --view front
+sed 's/front//' a.svg > b.svg
+run --svg a.svg
+check "front is the default" "$(cmp a.svg b.svg)" ""
+run --svg a.svg --view front --color-by 2,4 --view back --title T
+check "two ranks from two sides" "$(seen | wc -w | tr -d ' ')" 12
+check "each outline of a side twice" "$(seen | tr ' ' '\n' | sort | uniq -c | awk 'NF == 2 { print $1 }' | sort -u)" 2
+
+# --- histograms -------------------------------------------------------------------------------------------------------
+
+# counts FILE: sum of the counts in each panel, in the order of the panels.
+counts() {
+    awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ { sub(/.*: /, ""); sub(/<.*/, ""); sum[panel] += $0 }
+        END { for (i = 1; i <= panel; ++i) printf "%s ", sum[i] }' "$1"
+}
+run "$data/tissue.tsv" --histogram a.svg
+check "every cell is counted once, in every panel" "$(counts a.svg)" "400 400 400 400 400 400 "
+for p in 2 6; do
+    awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ { sub(/.*<title>/, ""); sub(/<.*/, ""); print panel, $0 }' a.svg |
+        awk -v p=$p '$1 == p { print $2, $5 }' | sed 's/://' > bins
+    check "mu_$p: as many as the table has, bin by bin" "$(cat bins)" "$(
+        column mu_$p | awk '{ k = int(20 * $1); if (k > 19) k = 19; ++n[k] }
+            END { for (k = 0; k < 20; ++k) if (n[k]) printf "%.2f %d\n", k / 20, n[k] }')"
+    check "mu_$p: median" "$(sed -n 's/.*>median \([0-9.]*\)<.*/\1/p' a.svg | sed -n ${p}p)" "$(
+        column mu_$p | sort -g | awk '{ v[NR] = $1 } END { printf "%.2f", (v[200] + v[201]) / 2 }')"
+done
+check "bars are as high as their counts, mu_3 for example" "$(
+    awk '/<g fill="#5b7fa6"/ { ++panel } panel == 3 && /<\/title><\/rect>/ { print }' a.svg |
+        sed -n 's/.* height="\([0-9.]*\)"><title>.*: \([0-9]*\)<.*/\1 \2/p' |
+        awk '{ d = $1 - 210 / 80 * $2; if (d * d > 1e-4) ++bad } END { print NR, bad + 0 }')" "$(
+    column mu_3 | awk '{ n[int(20 * $1)] } END { for (k in n) ++bins; print bins, 0 }')"
+run four.tsv --histogram a.svg --color-by 3,2 --quiet
+check "the ranks that were asked for; what is refused is not counted" "$(counts a.svg)" "3 3 "
+has "but told" a.svg "1 outlines were refused"
+run four.tsv --histogram a.svg --max-rank 20 --quiet
+check "no more than twelve" "$(counts a.svg | wc -w | tr -d ' ')" 12
+printf 'cell x y\nx 0 0\n' > in
+run --histogram a.svg --scatter b.svg --svg c.svg --ply d.ply --quiet
+check "nothing measured: exit status" "$status" 2
+check "nothing measured: no bars, no median, no points, no outlines" \
+    "$(grep -c 'rect x=\|median ' a.svg) $(grep -c '<circle' b.svg) $(grep -c '<title>x' c.svg) $(tail -n 1 d.ply)" "0 0 0 end_header"
+
+# --- one rank over another --------------------------------------------------------------------------------------------
+
+# points FILE: what the tooltips say, and where the points are, in units of the axes.
+points() {
+    sed -n 's/<circle cx="\([0-9.]*\)" cy="\([0-9.]*\)".*<title>\(.*\): \([0-9.]*\), \([0-9.]*\)<.*/\1 \2 \3 \4 \5/p' "$1"
+}
+run "$data/tissue.tsv" --scatter a.svg
+check "a point for each cell" "$(points a.svg | wc -l | tr -d ' ')" 400
+near_lists "mu_2 to the right" "$(points a.svg | awk '{ print ($1 - 110) / 560 }')" "$(column mu_2)" 2e-5
+near_lists "mu_6 upwards" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_6)" 2e-5
+near_lists "and in words" "$(points a.svg | awk '{ print $5 }')" "$(column mu_6)" 6e-5
+want=$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+    { ++n; x = $at["mu_2"]; y = $at["mu_6"]; sx += x; sy += y; sxx += x * x; sxy += x * y; syy += y * y }
+    END { printf "%.2f", (n * sxy - sx * sy) / sqrt((n * sxx - sx * sx) * (n * syy - sy * sy)) }' out)
+has "correlation" a.svg " = $want</text>"
+run "$data/tissue.tsv" --scatter a.svg --color-by mu_5,mu_3
+near_lists "other ranks" "$(points a.svg | awk '{ print ($1 - 110) / 560 }')" "$(column mu_5)" 2e-5
+near_lists "other ranks, upwards" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_3)" 2e-5
+run shapes.tsv --scatter a.svg --max-rank 2
+near_lists "two ranks are enough" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_2)" 2e-5
+printf 'c,x,y\n"<&>",0,0\n"<&>",1,0\n"<&>",0,1\n' > in
+run --scatter a.svg
+has "ids are escaped" a.svg '<title>&#60;&#38;&#62;: '
+
+# --- polygons in space ------------------------------------------------------------------------------------------------
+
+# A reader of PLY of its own: prints the values of a property of all vertices or all faces.
+ply() {
+    awk -v element="$2" -v name="$3" '
+        NR == 1 && $0 != "ply" { print "no ply"; exit }
+        NR == 2 && $0 != "format ascii 1.0" { print "no ascii"; exit }
+        body { ++line
+               if (line <= count["vertex"]) kind = "vertex"; else kind = "face"
+               if (kind != element) next
+               start = kind == "face" ? $1 + 1 : 0
+               print name == "list" ? $0 : $(start + at[kind, name] - (kind == "face")) ; next }
+        $1 == "element" { last = $2; count[$2] = $3; properties = 0 }
+        $1 == "property" { at[last, $NF] = ++properties }
+        $1 == "end_header" { body = 1 }
+        END { if (line != count["vertex"] + count["face"]) print "another number of lines" }' "$1"
+}
+run "$data/tissue.tsv" --ply a.ply
+check "a face for each cell" "$(ply a.ply face mu_1 | wc -l | tr -d ' ')" 400
+check "a vertex for each corner" "$(ply a.ply vertex x | wc -l | tr -d ' ')" "$(column n | awk '{ s += $1 } END { print s }')"
+for p in 1 2 3 4 5 6; do
+    check "mu_$p of the faces: to the last digit" "$(ply a.ply face mu_$p | cksum)" "$(column mu_$p | cksum)"
+done
+near_lists "corners as they came in" "$(ply a.ply vertex z)" "$(awk -F '\t' '!/^#/ && $1 != "cell" { print $4 }' "$data/tissue.tsv")" 0
+near_lists "and their normals, unit" "$(ply a.ply vertex nz)" "$(awk -F '\t' '!/^#/ && $1 != "cell" { print $7 }' "$data/tissue.tsv")" 1e-8
+ply a.ply face mu_2 > mu
+ply a.ply face list | cut -d ' ' -f 1 > n
+check "vertices carry what their face does" "$(ply a.ply vertex mu_2 | cksum)" "$(
+    paste n mu | awk '{ for (i = 0; i < $1; ++i) print $2 }' | cksum)"
+check "faces have their corners in order, each its own" "$(
+    ply a.ply face list | awk '{ for (i = 2; i <= $1 + 1; ++i) if ($i != next_corner++) ++bad } END { print bad + 0 }')" 0
+run four.tsv --ply a.ply --svg a.svg --color-by mu_3 --quiet
+check "refused outlines have -1" "$(ply a.ply face mu_2 | tail -n 1)" -1
+check "and are grey" "$(for c in red green blue; do ply a.ply face $c | tail -n 1; done | tr '\n' ' ')" "150 150 150 "
+check "colours are those of the picture" "$(for c in red green blue; do ply a.ply face $c > $c; done
+    paste -d ' ' red green blue | head -n 3 | awk '{ printf "#%02x%02x%02x\n", $1, $2, $3 }')" \
+    "$(sed -n 's/.* fill="\(#[0-9a-f]*\)"><title>.*mu_3 = .*/\1/p' a.svg)"
+check "the plane lies at z = 0, its normals upwards" "$(ply a.ply vertex z | sort -u) $(ply a.ply vertex nz | sort -u)" "0 1"
+printf 'ring lon lat\no 0 0\no 90 0\no 0 90\n' > in
+run --ply a.ply --radius 6371
+check "on a sphere corners lie at its radius" "$(ply a.ply vertex x | head -n 1) $(ply a.ply vertex nx | head -n 1)" "6371 1"
+awk 'BEGIN { print "c x y"; for (k = 0; k < 300; ++k) print "o", cos(k / 300 * 6.283185), sin(k / 300 * 6.283185) }' > in
+run --ply a.ply
+has "more than 255 corners" a.ply "property list int int vertex_indices"
+check "all of them" "$(ply a.ply face list | cut -d ' ' -f 1,301)" "300 299"
+
+# --- files that cannot be written -------------------------------------------------------------------------------------
+
+cp shapes.tsv in
+for kind in svg histogram scatter ply; do
+    run --$kind none/a
+    stopped "$kind, nowhere to put it" "none/a: "
+    run shapes.tsv --$kind ./shapes.tsv
+    stopped "$kind would overwrite its input" "shapes.tsv: --$kind would overwrite it"
+    if [ -w /dev/full ]; then
+        run shapes.tsv --$kind /dev/full
+        stopped "$kind, a full disk" "/dev/full: cannot write"
+    fi
+    run --$kind a.$kind
+    cp a.$kind b.$kind
+    run --$kind a.$kind
+    check "$kind: the same bytes again" "$(cmp a.$kind b.$kind)" ""
+    check "$kind: standard output does not change" "$(cksum < out)" "$("$surfmink" in | cksum)"
+    [ $kind = ply ] || check "$kind: begins and ends" "$(head -c 5 a.$kind)$(tail -n 1 a.$kind)" "<svg </svg>"
+done
+check "and the input is as before" "$(cksum < shapes.tsv)" "$(cksum < in)"
+run shapes.tsv --ply a.ply "$data/tissue.tsv"
+stopped "two kinds of surfaces" "another kind of surface in the same picture"
+
+totals
