@@ -11,6 +11,8 @@ columns='BEGIN { FS = OFS = "\t" } FNR == 1 { for (i = 1; i <= NF; i++) at[$i] =
 
 echo "1. The H3 grid: 5882 cells cover the sphere. Which are the pentagons?"
 "$surfmink" --svg "$pictures/h3.svg" --color-by mu_5 --view 10,50 "$data/h3_res2.tsv" > "$table" || exit 1
+"$surfmink" --histogram "$pictures/h3_mu.svg" --color-by mu_5,mu_6 --title "H3 grid: 12 pentagons, 5870 hexagons" \
+    "$data/h3_res2.tsv" > "$table" || exit 1
 awk "$columns"'
     FNR > 1 && $at["mu_5"] > 0.999999 { pentagons++; corners += $at["n"]; names = names "\n     " $at["id"] }
     FNR > 1 { area += $at["area"] }
@@ -18,7 +20,8 @@ awk "$columns"'
           printf "   all cells together: %.12f (4 pi = 12.566370614359)\n\n", area }' "$table"
 
 echo "2. Countries: which outline is the roundest, which the most elongated?"
-"$surfmink" --svg "$pictures/countries.svg" --color-by mu_2 --view 20,25 "$data/countries.tsv" > "$table"
+"$surfmink" --svg "$pictures/countries.svg" --color-by mu_2 --view 20,25 --view -85,15 --radius 6371 --unit km \
+    --title "How elongated are countries?" "$data/countries.tsv" > "$table"
 awk "$columns"'
     FNR > 1 && $at["status"] == "ok" {
         if (lowest == "" || $at["mu_2"] < low) { low = $at["mu_2"]; lowest = $at["id"] }
@@ -27,7 +30,10 @@ awk "$columns"'
           printf "   most elongated:  %s, mu_2 = %.3f\n\n", highest, high }' "$table"
 
 echo "3. A curved tissue: does a cell look elongated because it is, or because it is tilted?"
-"$surfmink" --svg "$pictures/tissue.svg" --color-by mu_6 --view 0,0,1 "$data/tissue.tsv" > "$table" || exit 1
+"$surfmink" --svg "$pictures/tissue.svg" --color-by mu_6 --view 0,0,1 --unit µm "$data/tissue.tsv" > "$table" || exit 1
+"$surfmink" --svg "$pictures/tissue_ranks.svg" --color-by mu_2,mu_4,mu_5,mu_6 --unit µm \
+    --histogram "$pictures/tissue_mu.svg" --ply "$pictures/tissue.ply" "$data/tissue.tsv" > "$flat" || exit 1
+"$surfmink" --scatter "$pictures/tissue_scatter.svg" --title "Elongated and hexagonal?" "$data/tissue.tsv" > "$flat"
 # What a microscope sees from above: x and y of the cells whose normals point up. (Those that fold over at the rim are
 # refused.)
 "$surfmink" --quiet --surface plane "$data/tissue.tsv" > "$flat"
@@ -52,4 +58,5 @@ awk "$columns"'
     { bin = $1; s[++n] = $2; f[n] = $3 }
     END { show() }'
 echo
-echo "pictures: $pictures/h3.svg $pictures/countries.svg $pictures/tissue.svg"
+echo "pictures: $pictures/h3.svg h3_mu.svg countries.svg tissue.svg tissue_ranks.svg tissue_mu.svg tissue_scatter.svg"
+echo "polygons in space, for ParaView, MeshLab or Blender: $pictures/tissue.ply"

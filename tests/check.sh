@@ -292,11 +292,16 @@ check "a locale with a comma changes no byte" "
     localedef --no-archive -i de_DE -f UTF-8 $here/de_DE.UTF-8 &&
     export LOCPATH=\$PWD/$here COMMA_LOCALE=de_DE.UTF-8 &&
     gcc -std=c99 -O1 -I. examples/surfmink.c tests/check/comma.c -o $here/surfmink -lm &&
-    tissue=\"--digits 17 --svg $here/svg examples/data/tissue.tsv\" &&
-    LC_ALL=C .build/surfmink \$tissue > $here/1 && mv $here/svg $here/1.svg &&
-    LC_ALL=de_DE.UTF-8 .build/surfmink \$tissue | cmp - $here/1 && cmp $here/svg $here/1.svg &&
-    $here/surfmink \$tissue | cmp - $here/1 && cmp $here/svg $here/1.svg &&
+    tissue=\"--digits 17 --directions center examples/data/tissue.tsv\" &&
+    for kind in svg histogram scatter ply; do tissue=\"\$tissue --\$kind $here/\$kind\"; done &&
+    LC_ALL=C .build/surfmink \$tissue > $here/1 &&
+    for kind in svg histogram scatter ply; do mv $here/\$kind $here/1.\$kind; done &&
+    LC_ALL=de_DE.UTF-8 .build/surfmink \$tissue | cmp - $here/1 &&
+    for kind in svg histogram scatter ply; do cmp $here/\$kind $here/1.\$kind; done &&
+    $here/surfmink \$tissue | cmp - $here/1 &&
+    for kind in svg histogram scatter ply; do cmp $here/\$kind $here/1.\$kind; done &&
     LC_ALL=de_DE.UTF-8 .build/tissue | cmp - examples/data/tissue.tsv &&
+    $(quietly "sh tests/test_pictures.sh $here/surfmink") &&
     $(quietly "sh tests/test_command.sh $here/surfmink")"
 check "big-endian, the command: the same bytes as on arm64" "
     $s390x -std=c99 -O2 -I. examples/surfmink.c -o $here/big -lm &&
@@ -336,6 +341,7 @@ check "worst errors against quadruple precision" "
 gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I."
 check "the command's contract, with sanitizers" "$gcc_sanitize \
     examples/surfmink.c -o $here/surfmink -lm &&
+    $(quietly "sh tests/test_pictures.sh $here/surfmink") &&
     $(quietly "sh tests/test_command.sh $here/surfmink")"
 check "levelset's contract, with sanitizers" "$gcc_sanitize \
     examples/levelset.c -o $here/levelset -lm &&
@@ -352,8 +358,12 @@ check "valgrind finds nothing in the demo's tissue" "valgrind -q --leak-check=fu
     --svg $here/tissue.svg examples/data/tissue.tsv > $here/tissue.out"
 
 # --- what users see ---------------------------------------------------------------------------------------------------
-check "make demo: valid pictures, that of the README among them" "$(quietly "make -s demo") &&
-    xmllint --noout .build/demo/*.svg && cmp .build/demo/tissue.svg docs/pictures/tissue.svg"
+check "make demo: valid pictures, those of docs/pictures among them" "$(quietly "make -s demo") &&
+    xmllint --noout .build/demo/*.svg &&
+    for picture in docs/pictures/*.svg; do cmp .build/demo/\${picture##*/} \$picture; done"
+check "the polygons of make demo, as another program reads them" "$(quietly "make -s demo") &&
+    assimp info .build/demo/tissue.ply -r | grep -E '^(Faces: *400|Vertices: *2388|    0 \(\):.*polygon)' |
+    wc -l | grep -qx 3"
 check "make paper: every printed digit, and the pictures of docs/paper.md" "$(quietly "make -s paper") &&
     xmllint --noout .build/paper/*.svg &&
     for picture in docs/paper/*.svg; do cmp .build/paper/\${picture##*/} \$picture; done"
