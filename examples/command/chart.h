@@ -177,7 +177,7 @@ static void draw_histogram(FILE *file, const chart *c, const options *o, int whi
     draw_bars(file, left, bottom, count, most);
     fputs("<g fill=\"#222\">\n", file);
     draw_count_axis(file, left, bottom, CHART_HEIGHT, most, step);
-    put_upright(file, left - CHART_LEFT + 24, bottom - CHART_HEIGHT / 2, "outlines");
+    put_upright(file, left - CHART_LEFT + 24, bottom - 0.5 * CHART_HEIGHT, "outlines");
     draw_mu_axis(file, left, bottom, CHART_WIDTH, chart_rank(o, which));
     if (chart_ranks(o) > 1) put_letter(file, left - CHART_LEFT + 6, top + 10, which);
     if (c->measured > 0) draw_median(file, left, bottom, median_of(c, o, which));
@@ -200,9 +200,10 @@ static void write_histograms(const chart *c, const options *o)
             "outlines were refused. Drawn by surfmink " SURFMINK_VERSION ".",
             (unsigned long)c->measured, BINS, (unsigned long)c->refused);
     end_description(file, width, o);
-    for (i = 0; i < ranks; ++i)
-        draw_histogram(file, c, o, i, MARGIN + CHART_LEFT + i % columns * wide,
-                       MARGIN + title_space(o) + i / columns * high);
+    for (i = 0; i < ranks; ++i) {
+        int column = i % columns, row = i / columns;
+        draw_histogram(file, c, o, i, MARGIN + CHART_LEFT + column * wide, MARGIN + title_space(o) + row * high);
+    }
     fputs("</svg>\n", file);
     close_page(file, o->histogram);
 }

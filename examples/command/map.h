@@ -226,9 +226,10 @@ static void lay_out(drawing *d)
     d->shift = bars_are_below(d) ? 0 : fmax(0, (BAR_LEAST + BAR_ENDS - panels_height(d)) / 2);
     for (i = 0; i < d->panels; ++i) {
         panel *p = &d->panel[i];
+        int row = i / d->columns;
         p->left = MARGIN + i % d->columns * (d->width + PANEL_GAP) + (d->width - p->width) / 2;
         p->top = MARGIN + title_space(d->options) + d->shift + panel_head(d) +
-                 i / d->columns * (d->height + panel_head(d) + panel_foot(d) + PANEL_GAP) + (d->height - p->height) / 2;
+                 row * (d->height + panel_head(d) + panel_foot(d) + PANEL_GAP) + (d->height - p->height) / 2;
     }
     d->page_width = 2 * MARGIN + (bars_are_below(d) ? 0 : BAR_SPACE) + (int)ceil(panels_width(d));
     d->page_height = 2 * MARGIN + title_space(d->options) + (int)ceil(panels_height(d) + 2 * d->shift) + FOOT;

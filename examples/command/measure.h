@@ -202,8 +202,8 @@ static int find_frame(const polygon *p, double frame[9])
 static int find_director(measures *m, const polygon *p, measure *one, const options *o)
 {
     double *length, *phase, *e = m->direction, *c = m->coherence;
-    int status, r;
-    size_t k;
+    int status;
+    size_t k, r;
     for (k = 0; k < 3; ++k) one->centre[k] = one->normal[k] = k == 2 && p->surface == PLANE ? 1 : 0;
     one->centre[2] = 0;
     measure_edges(&m->edges, p, radius_of(o));
@@ -211,9 +211,9 @@ static int find_director(measures *m, const polygon *p, measure *one, const opti
     length = m->edges.length;
     phase = m->phase;
     if (surfmink_phases(m->edges.turning, p->n, o->transport, phase) != SURFMINK_OK) return 0;
-    for (r = 0; r <= o->max_rank; ++r) {
-        m->g[2 * r] = one->mu[r] * cos(r * one->theta[r]);
-        m->g[2 * r + 1] = one->mu[r] * sin(r * one->theta[r]);
+    for (r = 0; r <= (size_t)o->max_rank; ++r) {
+        m->g[2 * r] = one->mu[r] * cos((double)r * one->theta[r]);
+        m->g[2 * r + 1] = one->mu[r] * sin((double)r * one->theta[r]);
     }
     switch (p->surface) {
     case PLANE:
