@@ -149,7 +149,15 @@ check "and a bar each" "$(grep -c 'url(#bar_below)' a.svg)" 3
 check "the triangle is dark, light, dark" "$(fills a.svg tri)" "mu_2#2b2161 mu_3#f3e890 mu_4#2b2161 "
 run shapes.tsv --svg b.svg --color-by mu_3
 check "colours do not depend on the panels" "$(fills b.svg kite)" "$(fills a.svg kite | grep -o 'mu_3[^ ]* ')"
+strokes b.svg 1 > alone
+run shapes.tsv --svg c.svg --color-by mu_1,mu_3
+near_lists "strokes of the second panel are those of its rank" "$(strokes c.svg 1)" "$(cat alone)" 0.2
 check "one panel has no letter, and its bar at the right" "$(grep -c 'bold">\|bar_below' b.svg) $(grep -c 'url(#bar)' b.svg)" "0 1"
+printf 'bad\t0\t5\nbad\t0\t6\nbad\t1\t6\n' | cat shapes.tsv - | grep 'cell\|tri\|bad' > in
+run --svg a.svg --quiet --color-by mu_2
+has "what is refused does not count for the colours" a.svg ">0.8</text>"
+run "$data/tissue.tsv" --svg a.svg --unit um
+has "a round number at the scale bar" a.svg ">50 um</text>"
 printf 'ring lon lat\n' > in
 for lon in 0 60 120 180 240 300; do
     printf "c$lon $((lon - 5)) -5\nc$lon $((lon + 5)) -5\nc$lon $((lon + 5)) 5\nc$lon $((lon - 5)) 5\n"
@@ -159,8 +167,13 @@ seen() {
 }
 run --svg a.svg --view 10,0 --view back --view back
 check "front, behind that, and behind that again" "$(seen)" "c0 c60 c300 c120 c180 c240 c0 c60 c300 "
-check "what is east on the front is west on the back" "$(
-    sed -n 's/<path d="M\([0-9.]*\).*<title>\(c60\|c120\):.*/\1/p' a.svg | head -n 2 | awk '{ print ($1 > 280) }' | tr '\n' ' ')" "1 1 "
+# The left end of an outline in the last panel.
+left_end() {
+    sed -n "s/<path d=\"M\([0-9.]*\).*<title>$1:.*/\1/p" a.svg | tail -n 1
+}
+run --svg a.svg --view 10,0 --view back
+check "seen from behind, east is right, too" "$(echo "$(left_end c120) $(left_end c180) $(left_end c240)" |
+    awk '{ print ($1 < $2 && $2 < $3) }')" 1
 has "views are named" a.svg '<tspan>10,0</tspan>'
 check "a sphere without a radius: the grid is the scale" "$(grep -c '>grid: 30' a.svg)" 1
 run --svg a.svg --view 10,0 --radius 6371 --unit km
@@ -278,10 +291,13 @@ check "the plane lies at z = 0, its normals upwards" "$(ply a.ply vertex z | sor
 printf 'ring lon lat\no 0 0\no 90 0\no 0 90\n' > in
 run --ply a.ply --radius 6371
 check "on a sphere corners lie at its radius" "$(ply a.ply vertex x | head -n 1) $(ply a.ply vertex nx | head -n 1)" "6371 1"
-awk 'BEGIN { print "c x y"; for (k = 0; k < 300; ++k) print "o", cos(k / 300 * 6.283185), sin(k / 300 * 6.283185) }' > in
-run --ply a.ply
-has "more than 255 corners" a.ply "property list int int vertex_indices"
-check "all of them" "$(ply a.ply face list | cut -d ' ' -f 1,301)" "300 299"
+for n in 255 256; do
+    awk -v n=$n 'BEGIN { print "c x y"; for (k = 0; k < n; ++k) print "o", cos(k / n * 6.283185), sin(k / n * 6.283185) }' > in
+    run --ply $n.ply
+    check "a polygon of $n corners" "$(ply $n.ply face list | cut -d ' ' -f 1,$((n + 1)))" "$n $((n - 1))"
+done
+has "up to 255 corners fit a byte" 255.ply "property list uchar int vertex_indices"
+has "more do not" 256.ply "property list int int vertex_indices"
 
 # --- files that cannot be written -------------------------------------------------------------------------------------
 
