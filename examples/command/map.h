@@ -457,7 +457,7 @@ static void draw_bar_below(const drawing *d)
     double width = 0.6 * d->width, x = p->left + p->width / 2 - width / 2, at;
     double y = p->top + p->height + (d->height - p->height) / 2 + 12;
     int i, ticks = (int)(p->bar_top / p->bar_tick + 0.5), every = ticks > 6 || width < 200 ? 2 : 1;
-    if (ticks % every) every = 1;
+    if (ticks % every) every = ticks; /* only both ends */
     fputs("<g fill=\"#222\" transform=\"translate(", d->file);
     put_pixels(d->file, x);
     fputc(' ', d->file);

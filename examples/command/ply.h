@@ -1,7 +1,7 @@
 /* ply.h - step 5 of the command, if asked for: the shapes of a picture -> polygons in space, in the format PLY.
 
    Every outline has its own vertices, so that each can carry the colour and the mu_p of its outline: some programs read
-   these from faces (MeshLab), some from vertices (Blender), and all read the colours (ParaView). */
+   such properties of faces, others those of vertices, and some only the colours. */
 #ifndef SURFMINK_COMMAND_PLY_H
 #define SURFMINK_COMMAND_PLY_H
 
