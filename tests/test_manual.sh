@@ -73,6 +73,9 @@ for program in "$build"/theory_*; do
     grep -F "pictures/$name.svg" docs/theory.md > /dev/null
     count $? "docs/theory.md shows $name.svg" "nowhere" "somewhere"
 done
-"$build/surfmink" --svg "$work/tissue.svg" --color-by mu_6 --view 0,0,1 examples/data/tissue.tsv > "$work/said"
-alike "docs/pictures/tissue.svg is up to date (make demo)" "$work/tissue.svg" docs/pictures/tissue.svg
+sh examples/demo.sh "$build/surfmink" "$work/demo" > "$work/said" 2> "$work/err"
+for name in countries h3_mu tissue tissue_ranks tissue_mu tissue_scatter; do
+    alike "docs/pictures/$name.svg is up to date (make demo)" "$work/demo/$name.svg" docs/pictures/$name.svg
+    check "$name.svg is small" "$(($(wc -c < "docs/pictures/$name.svg") < 300000))" 1
+done
 totals
