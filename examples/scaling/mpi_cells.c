@@ -424,6 +424,7 @@ static void stop_others(void)
 static void take_arguments(int argc, char **argv)
 {
     size_t bytes = 1 << 24;
+    int i;
     if (argc > 2 && strcmp(argv[1], "--piece") == 0) {
         if (!parse_count(argv[2], &bytes) || bytes < 1 || bytes > MOST_AT_A_TIME / 2)
             usage_error("--piece is a number of bytes from 1 to %d, not '%s'", MOST_AT_A_TIME / 2, argv[2]);
@@ -438,7 +439,9 @@ static void take_arguments(int argc, char **argv)
     run.table_name = run.options.file[0];
     if (run.options.files != 1 || strcmp(run.table_name, "-") == 0 || ends_in_off(run.table_name))
         usage_error("mpi_cells reads one table, from a file");
-    if (run.options.summary || run.options.svg) usage_error("mpi_cells makes neither summaries nor pictures");
+    if (run.options.summary) usage_error("mpi_cells makes neither summaries nor pictures");
+    for (i = 0; i < PICTURES; ++i)
+        if (picture_file(&run.options, i)) usage_error("mpi_cells makes neither summaries nor pictures");
 }
 
 /* The first rank finds the columns, with all the complaints that this may lead to. */
