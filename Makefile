@@ -188,4 +188,5 @@ install-shared: shared
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper pictures playground test check accuracy bench bench-count fuzz coverage mutants shared install install-shared clean
+.PHONY: all demo paper pictures playground test check accuracy bench bench-count fuzz coverage mutants shared install \
+  install-shared clean

@@ -351,7 +351,7 @@ check "the tissue is what its generator makes, with sanitizers" "$gcc_sanitize \
 check "valgrind finds nothing in the demo's tissue" "valgrind -q --leak-check=full --error-exitcode=9 .build/surfmink \
     --svg $here/tissue.svg examples/data/tissue.tsv > $here/tissue.out"
 
-# --- the playground: what clang makes of its sources; its numbers; its hands -------------------------------------------
+# --- the playground: what clang makes of its sources; its numbers; its hands ------------------------------------------
 check "the playground is what make playground makes" "
     $(quietly "make -s BUILD=$here $here/playground.html") && cmp $here/playground.html docs/playground.html"
 check "the playground, functions in place of libm" "gcc -std=c99 -O2 -I. tests/check/playground.c -o $here/native -lm &&

@@ -14,16 +14,16 @@ between() {
 between '<script type="text/plain" id="wasm">' '</script>' > "$wasm"
 sh examples/playground/build.sh "$wasm" > "$work/made"
 cmp -s "$work/made" $page
-count $? "the page is what examples/playground makes" "$(diff "$work/made" $page | head -n 6)" "no difference (make playground)"
+count $? "the page is what examples/playground makes" "$(diff "$work/made" $page | head -n 6)" "none; make playground"
 check "the page holds a WebAssembly module of version 1" "$(cut -c 1-10 "$wasm" | sed -n 1p)" AGFzbQEAAA
 check "of base64 and nothing else" "$(grep -c '[^A-Za-z0-9+/=]' "$wasm")" 0
 check "every line of page.html that stands for a file is filled" "$(grep -c '^@@' $page)" 0
 check "the page is below 300 kB" "$(($(wc -c < $page) < 300000))" 1
 
-# What would make a browser ask for something: addresses, and all that takes one. WebAssembly, as text, may spell anything.
+# What would make a browser ask for something: addresses, and all that takes one. (WebAssembly may spell anything.)
 awk '/id="wasm"/ { skip = 1 } /<\/script>/ { skip = 0 } !skip' $page > "$work/text"
-for pattern in '[a-z]://' '\<src *=' '<link' '@import' 'url(' '\<fetch\>' XMLHttpRequest WebSocket EventSource sendBeacon \
-    'import *(' '\<Worker\>' '<iframe' '<img' '<form' '<a [^>]*href="[^#]' 'new Image' '\<open *(' '\<location\>'; do
+for pattern in '[a-z]://' '\<src *=' '<link' '@import' 'url(' '\<fetch\>' XMLHttpRequest WebSocket EventSource \
+    sendBeacon 'import *(' '\<Worker\>' '<iframe' '<img' '<form' '<a [^>]*href="[^#]' 'new Image' '\<open *(' '\<location\>'; do
     check "nothing like $pattern" "$(grep -v '<link rel="icon" href="data:,">' "$work/text" | grep -e "$pattern")" ""
 done
 has "a policy that forbids it, too" $page "content=\"default-src 'none';"
