@@ -23,7 +23,8 @@ check "the page is below 300 kB" "$(($(wc -c < $page) < 300000))" 1
 # What would make a browser ask for something: addresses, and all that takes one. (WebAssembly may spell anything.)
 awk '/id="wasm"/ { skip = 1 } /<\/script>/ { skip = 0 } !skip' $page > "$work/text"
 for pattern in '[a-z]://' '\<src *=' '<link' '@import' 'url(' '\<fetch\>' XMLHttpRequest WebSocket EventSource \
-    sendBeacon 'import *(' '\<Worker\>' '<iframe' '<img' '<form' '<a [^>]*href="[^#]' 'new Image' '\<open *(' '\<location\>'; do
+    sendBeacon 'import *(' '\<Worker\>' '<iframe' '<img' '<form' '<a [^>]*href="[^#]' 'new Image' '\<open *(' \
+    '\<location\>'; do
     check "nothing like $pattern" "$(grep -v '<link rel="icon" href="data:,">' "$work/text" | grep -e "$pattern")" ""
 done
 has "a policy that forbids it, too" $page "content=\"default-src 'none';"
