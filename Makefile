@@ -4,6 +4,7 @@
 #   make demo       measures countries, the H3 grid and a tissue; pictures in .build/demo/
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make pictures   the pictures of docs/theory.md, and the numbers behind them, in .build/pictures/
+#   make playground  docs/playground.html, a page to play with; needs clang and lld
 #   make test       all tests; needs cc and make, nothing else
 #   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
@@ -100,6 +101,18 @@ pictures: $(theories)
 	@mkdir -p $(BUILD)/pictures
 	@status=0; for theory in $(theories); do $$theory $(BUILD)/pictures || status=1; echo; done; exit $$status
 
+$(BUILD)/playground.html: surfmink.h $(wildcard examples/playground/* examples/playground/*/* examples/surfaces/*)
+	@mkdir -p $(@D)
+	clang --target=wasm32 -std=c99 -O2 -ffreestanding -fno-math-errno -mbulk-memory -nostdlibinc -nostdlib -I. \
+	  -isystem examples/playground/freestanding -Wl,--no-entry -Wl,--strip-all -Wl,-z,stack-size=131072 \
+	  examples/playground/playground.c -o $(@D)/playground.wasm
+	base64 -w 120 $(@D)/playground.wasm > $(@D)/playground.base64
+	sh examples/playground/build.sh $(@D)/playground.base64 > $@.new
+	mv $@.new $@
+
+playground: $(BUILD)/playground.html
+	cp $(BUILD)/playground.html docs/playground.html
+
 test: all $(theorems) $(theories)
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
@@ -108,6 +121,7 @@ test: all $(theorems) $(theories)
 	  "sh tests/test_abuse.sh $(BUILD)" \
 	  "sh tests/test_scaling.sh $(BUILD)/surfmink" \
 	  "sh tests/test_fuzzed.sh" \
+	  "sh tests/test_playground.sh" \
 	  "sh tests/test_docs.sh $(BUILD) '$(CC)'" \
 	  "sh tests/test_manual.sh $(BUILD)" \
 	  "sh tests/test_links.sh"
@@ -175,4 +189,5 @@ install-shared: shared
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper pictures test check accuracy bench bench-count fuzz coverage mutants shared install install-shared clean
+.PHONY: all demo paper pictures playground test check accuracy bench bench-count fuzz coverage mutants shared install \
+  install-shared clean

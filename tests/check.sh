@@ -357,6 +357,19 @@ check "the tissue is what its generator makes, with sanitizers" "$gcc_sanitize \
 check "valgrind finds nothing in the demo's tissue" "valgrind -q --leak-check=full --error-exitcode=9 .build/surfmink \
     --svg $here/tissue.svg examples/data/tissue.tsv > $here/tissue.out"
 
+# --- the playground: what clang makes of its sources; its numbers; its hands ------------------------------------------
+check "the playground is what make playground makes" "
+    $(quietly "make -s BUILD=$here $here/playground.html") && cmp $here/playground.html docs/playground.html"
+check "the playground, functions in place of libm" "gcc -std=c99 -O2 -I. tests/check/playground.c -o $here/native -lm &&
+    $(quietly "$here/native --functions")"
+check "the playground, numbers in node" "gcc -std=c99 -O2 -I. tests/check/playground.c -o $here/native -lm &&
+    $(quietly "node tests/check/playground.mjs docs/playground.html $here/native .build/surfmink")"
+check "the playground, in chromium" "
+    $(quietly "node tests/check/playground_page.mjs docs/playground.html .build/surfmink .build/node")"
+check "the playground, silent" "gcc -std=c99 $wall_c -I. -c tests/check/playground.c -o $here/unit.o &&
+    clang --target=wasm32 -std=c99 $wall -O2 -ffreestanding -fno-math-errno -nostdlibinc -I. \
+        -Iexamples/playground/freestanding -c examples/playground/playground.c -o $here/unit.o"
+
 # --- what users see ---------------------------------------------------------------------------------------------------
 check "make demo: valid pictures, those of docs/pictures among them" "$(quietly "make -s demo") &&
     xmllint --noout .build/demo/*.svg &&
