@@ -2374,14 +2374,23 @@ SURFMINK_DEF int surfmink_edges_surface(const surfmink_surface *surface, const d
 static double surfmink__area_plane(const surfmink__outline *o)
 {
     surfmink__sum twice = {0, 0};
-    double a[2], e[2];
-    size_t i;
+    double largest = surfmink__max_abs(o->corner, 2 * o->n), scale = largest > 0 ? surfmink__scale(largest) : 1;
+    double corner[2], next[2], a[2], e[2], first[2];
+    size_t i, k;
+    for (k = 0; k < 2; ++k) {
+        first[k] = o->corner[k] * scale;
+        next[k] = o->corner[2 + k] * scale;
+    }
     for (i = 1; i + 1 < o->n; ++i) {
-        surfmink__sub(o->corner + 2 * i, o->corner, 2, a);
-        surfmink__sub(o->corner + 2 * i + 2, o->corner + 2 * i, 2, e);
+        for (k = 0; k < 2; ++k) {
+            corner[k] = next[k];
+            next[k] = o->corner[2 * i + 2 + k] * scale;
+        }
+        surfmink__sub(corner, first, 2, a);
+        surfmink__sub(next, corner, 2, e);
         surfmink__add(&twice, a[0] * e[1] - a[1] * e[0]);
     }
-    return surfmink__value(&twice) / 2;
+    return surfmink__value(&twice) / 2 / scale / scale;
 }
 
 /* Solid angle to the left of a polygon on the unit sphere, modulo 4 pi: a fan of triangles (a, x, y) from one corner a.

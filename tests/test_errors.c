@@ -284,6 +284,7 @@ THEOREM(what_overflows_is_not_finite)
 {
     static const double square[8] = {0, 0, 0.9e308, 0, 0.9e308, 0.9e308, 0, 0.9e308}, quarter[4] = {1.5, 1.5, 1.5, 1.5};
     double wide[6], corner[15], length[4], area;
+    surfmink_functionals w;
     wide[0] = -1e308, wide[1] = 0, wide[2] = 1e308, wide[3] = 0, wide[4] = 0, wide[5] = 1e308; /* a difference */
     REFUSES(surfmink_measure_plane(wide, 3, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
     REFUSES(surfmink_edges_plane(wide, 3, out.length, out.turning, &bad), SURFMINK_NOT_FINITE);
@@ -294,9 +295,14 @@ THEOREM(what_overflows_is_not_finite)
     wide[0] = 0, wide[1] = 0, wide[2] = 1e160, wide[3] = 0, wide[4] = 0, wide[5] = 1e160; /* an area */
     REFUSES(surfmink_measure_plane(wide, 3, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
     REFUSES(surfmink_area_plane(wide, 3, &out.mu[0]), SURFMINK_NOT_FINITE);
-    wide[2] = wide[5] = 1.6e154; /* twice an area */
+    wide[2] = wide[5] = 1.9e154;
     BLAMES(measure(PLANE, wide, 3, 3), SURFMINK_NOT_FINITE, 3);
     REFUSES(surfmink_area_plane(wide, 3, &out.mu[0]), SURFMINK_NOT_FINITE);
+    wide[2] = wide[5] = 1.6e154; /* twice an area, not the area */
+    CHECK_OK(surfmink_measure_plane(wide, 3, 3, NULL, NULL, &w, NULL));
+    CHECK_CLOSE(w.area, 1.28e308, 1e-15);
+    CHECK_OK(surfmink_area_plane(wide, 3, &area));
+    CHECK_CLOSE(area, 1.28e308, 1e-15);
     CHECK_OK(surfmink_edges_plane(wide, 3, out.length, out.turning, &bad));
     pentagon(SPHERE, corner);
     REFUSES(surfmink_measure_sphere(corner, 5, 1e160, 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE);
