@@ -3533,10 +3533,9 @@ static void surfmink__sum_arcs(const surfmink__arcs *c, size_t start, size_t end
     }
 }
 
-/* g_p and mu_p of the arcs, 24 ranks at a time. With `orders`, what error holds is mu_p of twice the corners, and becomes
-   the error of that; else it becomes mu_p. */
-static void surfmink__ranks_of_arcs(const surfmink__arcs *c, int max_rank, double orders, double *mu, double *g,
-                                    double *error)
+/* g_p and mu_p of the arcs, 24 ranks at a time; and less[p] becomes less by `share` of mu_p. */
+static void surfmink__ranks_of_arcs(const surfmink__arcs *c, int max_rank, double *mu, double *g, double *less,
+                                    double share)
 {
     double part[6 * SURFMINK__TILES], re, im, ratio, lead[2], turn[2];
     surfmink__sum sum[6 * SURFMINK__TILES], path;
@@ -3560,7 +3559,7 @@ static void surfmink__ranks_of_arcs(const surfmink__arcs *c, int max_rank, doubl
             im = surfmink__value(sum + 2 * (size_t)k + 1) / p;
             ratio = surfmink__ratio(re, im, c->whole);
             if (mu) mu[p] = ratio;
-            if (error) error[p] = orders > 0 ? surfmink__abs(error[p] - ratio) / orders : ratio;
+            if (less) less[p] -= share * ratio;
             if (!g) continue;
             turn[0] = re;
             turn[1] = im;
@@ -3580,7 +3579,8 @@ typedef struct surfmink__source {
     const unsigned char *sharp;
     double curvature;
     size_t n;
-    int measured; /* of a surface: lengths and turns are in scratch already */
+    double unit, back; /* as in surfmink__arcs */
+    int measured;      /* a surface: lengths and turns are in scratch already */
 } surfmink__source;
 
 /* a_i and w_i of the edge from x to y. Returns 0 if the normals are opposite. */
@@ -3672,17 +3672,17 @@ static size_t surfmink__step(const surfmink__source *s, size_t i, int every_seco
     return next + 1 < s->n ? next + 1 : 0;
 }
 
-/* Measures a curve, or every second corner of it: once round, twice if that is how one comes back to where one began.
+/* Measures a curve, or every second corner of it, from one of them on: once round, twice if that is how one comes back to
+   where one began.
    scratch  8 n  l alpha, a w or K, h turn D, and which are sharp */
-static int surfmink__trace(const surfmink__source *s, int every_second, double *scratch, surfmink__arcs *c, size_t *bad)
+static int surfmink__trace(const surfmink__source *s, int every_second, size_t start, double *scratch,
+                           surfmink__arcs *c, size_t *bad)
 {
     double *length = scratch, *turning = scratch + s->n, *bend = scratch + 2 * s->n, *twist = scratch + 3 * s->n,
            first = 0;
     unsigned char *sharp = (unsigned char *)(scratch + 7 * s->n);
-    size_t start = 0, i, k, at[3];
+    size_t k, at[3];
     int status;
-    for (i = 0; i < s->n && every_second && s->sharp; ++i)
-        if (s->sharp[i]) start = i;
     c->n = c->windings = 0;
     at[0] = at[1] = start;
     do { /* how many corners, and which one is before the first? */
@@ -3709,6 +3709,8 @@ static int surfmink__trace(const surfmink__source *s, int every_second, double *
     c->curvature = s->curvature_at ? bend : NULL;
     c->sharp = s->sharp ? sharp : NULL;
     c->constant = s->curvature;
+    c->unit = s->unit;
+    c->back = s->back;
     c->arc = scratch + 4 * s->n;
     c->turn = scratch + 5 * s->n;
     c->swept = scratch + 6 * s->n;
@@ -3721,24 +3723,29 @@ static int surfmink__winds_alike(const surfmink__arcs *c, double turning)
     return surfmink__abs(c->total / (double)c->windings - turning) < surfmink__pi;
 }
 
-/* Estimates of the error, from what error holds: mu_p of all corners. */
-static void surfmink__estimate(const surfmink__source *s, int order, int max_rank, const surfmink_functionals *w,
-                               double unit, double back, double *scratch, double *error)
+/* Estimates of the error. At the start error holds mu_p, and 1 for L; what every second corner makes of them is taken
+   off. If n is even and no corner sharp, the even corners and the odd ones are asked, and their mean is taken. */
+static void surfmink__estimate(const surfmink__source *s, int order, int max_rank, double length, double turning,
+                               double *scratch, double *error)
 {
-    double orders = order > 2 ? 15 : 3;
     surfmink__arcs c;
-    int p, known = s->n >= 5 && surfmink__trace(s, 1, scratch, &c, NULL) == SURFMINK_OK && c.n >= 3;
-    if (known) {
-        c.unit = unit;
-        c.back = back;
+    size_t start = 0, halves = s->n % 2 == 0 ? 2 : 1, half, i;
+    int p, known = s->n >= 5;
+    for (i = 0; i < s->n && s->sharp; ++i)
+        if (s->sharp[i]) {
+            start = i;
+            halves = 1;
+        }
+    for (half = 0; half < halves && known; ++half) {
+        known = surfmink__trace(s, 1, start + half, scratch, &c, NULL) == SURFMINK_OK && c.n >= 3;
+        if (!known) break;
         surfmink__bow(&c, order);
-        known = surfmink__check_arcs(&c) == SURFMINK_OK && surfmink__winds_alike(&c, w->turning);
+        known = surfmink__check_arcs(&c) == SURFMINK_OK && surfmink__winds_alike(&c, turning);
+        if (!known) break;
+        error[0] -= c.whole * c.back / (double)c.windings / length / (double)halves;
+        surfmink__ranks_of_arcs(&c, max_rank, NULL, NULL, error, 1 / (double)halves);
     }
-    if (known) {
-        error[0] = surfmink__abs(c.whole * back / (double)c.windings / w->length - 1) / orders;
-        surfmink__ranks_of_arcs(&c, max_rank, orders, NULL, NULL, error);
-    }
-    for (p = 0; p <= max_rank && !known; ++p) error[p] = 1;
+    for (p = 0; p <= max_rank; ++p) error[p] = known ? surfmink__abs(error[p]) / (order > 2 ? 15 : 3) : 1;
 }
 
 /* The functionals of the curve from those of the polygon: what lies between the two is added. */
@@ -3757,8 +3764,8 @@ static surfmink_functionals surfmink__functionals_of(const surfmink__arcs *c, co
 }
 
 /* All four steps for arcs of which lengths, turns and bends are known, and the functionals of the polygon. */
-static int surfmink__fourth(surfmink__arcs *c, const surfmink__source *s, int max_rank, double *mu, double *error,
-                            double *g, surfmink_functionals *w)
+static int surfmink__fourth(surfmink__arcs *c, const surfmink__source *s, int max_rank, double *mu, double *g,
+                            surfmink_functionals *w)
 {
     surfmink_functionals curve;
     int status;
@@ -3772,38 +3779,36 @@ static int surfmink__fourth(surfmink__arcs *c, const surfmink__source *s, int ma
         g[0] = curve.length;
         g[1] = 0;
     }
-    surfmink__ranks_of_arcs(c, max_rank, 0, mu, g, error);
+    surfmink__ranks_of_arcs(c, max_rank, mu, g, NULL, 0);
     *w = curve;
     return SURFMINK_OK;
 }
 
-static int surfmink__measure_curve(const surfmink__source *s, int order, int max_rank, double *scratch, double *mu,
+static int surfmink__measure_curve(surfmink__source *s, int order, int max_rank, double *scratch, double *mu,
                                    double *error, double *g, surfmink_functionals *w, size_t *bad)
 {
     const surfmink__outline *o = s->outline;
-    surfmink__source again = *s;
     surfmink_functionals total;
     surfmink__arcs c;
-    double unit, back;
+    double *found = mu ? mu : error;
     int status = SURFMINK_OK, p;
     if (max_rank < 0 || (order != 2 && order != 4)) return surfmink__blame(SURFMINK_BAD_ARGUMENT, s->n, bad);
     if (s->surface) status = surfmink_edges_surface(s->surface, s->corner, s->n, scratch, scratch, scratch + s->n, bad);
     if (status != SURFMINK_OK) return status;
-    status = order == 2 ? surfmink__measure(o, max_rank, mu ? mu : error, g, NULL, &total, bad)
+    status = order == 2 ? surfmink__measure(o, max_rank, found, g, NULL, &total, bad)
                         : surfmink__measure(o, 0, NULL, NULL, NULL, &total, bad);
     if (status != SURFMINK_OK) return status;
-    unit = o->kind == SURFMINK__SPHERE ? 1 : surfmink__scale(total.length);
-    back = o->kind == SURFMINK__SPHERE ? o->radius : 1 / unit;
+    s->unit = o->kind == SURFMINK__SPHERE ? 1 : surfmink__scale(total.length);
+    s->back = o->kind == SURFMINK__SPHERE ? o->radius : 1 / s->unit;
     if (order == 4) {
-        again.measured = s->surface != NULL;
-        if ((status = surfmink__trace(&again, 0, scratch, &c, bad)) != SURFMINK_OK) return status;
-        c.unit = unit;
-        c.back = back;
-        status = surfmink__fourth(&c, s, max_rank, mu, error, g, &total);
+        s->measured = 1;
+        if ((status = surfmink__trace(s, 0, 0, scratch, &c, bad)) != SURFMINK_OK) return status;
+        s->measured = 0;
+        status = surfmink__fourth(&c, s, max_rank, found, g, &total);
         if (status != SURFMINK_OK) return surfmink__blame(status, s->n, bad);
     }
-    for (p = 0; p <= max_rank && order == 2 && mu && error; ++p) error[p] = mu[p];
-    if (error) surfmink__estimate(s, order, max_rank, &total, unit, back, scratch, error);
+    for (p = 0; p <= max_rank && mu && error; ++p) error[p] = mu[p];
+    if (error) surfmink__estimate(s, order, max_rank, total.length, total.turning, scratch, error);
     if (w) *w = total;
     return SURFMINK_OK;
 }
@@ -3818,6 +3823,7 @@ static surfmink__source surfmink__source_of(const surfmink__outline *o, const un
     s.sharp = sharp;
     s.curvature = o->kind == SURFMINK__SPHERE ? 1 : 0; /* of the unit sphere */
     s.n = o->n;
+    s.unit = s.back = 1;
     s.measured = 0;
     return s;
 }
@@ -3897,7 +3903,7 @@ SURFMINK_DEF int surfmink_curve_edges(const double *length, const double *turnin
     c.back = 1 / c.unit;
     c.n = n;
     c.windings = 1;
-    status = surfmink__fourth(&c, &s, max_rank, mu, NULL, g, &total);
+    status = surfmink__fourth(&c, &s, max_rank, mu, g, &total);
     if (status == SURFMINK_OK && w) *w = total;
     return status;
 }
