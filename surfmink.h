@@ -412,8 +412,9 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
    mu          P + 1  out; or NULL
    error       P + 1  out: how far mu_p may be off the curve, estimated from every second corner, by |mu_p - half mu_p| / 3
                       at order 2, / 15 at order 4; error[0] is that of L, over L, since mu_0 has none. 1 if nothing can be
-                      said: fewer than 5 corners, or every second is an outline that is refused. Or NULL. If n is odd,
-                      and no corner sharp, one goes round twice, so that every corner is passed; sharp corners stay
+                      said: fewer than 5 corners, or every second is an outline that is refused. Or NULL. Of an even n,
+                      half mu_p is the mean of that of the even corners and that of the odd ones; of an odd n, one goes
+                      round twice. If corners are sharp, they stay, and one goes round once
    g         2 P + 2  out: read at the middle of the arc of edge 0, against the co-normal of the curve there; or NULL
    w                  out: of the curve; area in the plane and on the sphere; or NULL
    bad                out, only on failure: as in surfmink_measure_*; or NULL
@@ -3371,7 +3372,7 @@ static size_t surfmink__after(const surfmink__arcs *c, size_t i)
     return i + 1 < c->n ? i + 1 : 0;
 }
 
-static size_t surfmink__ahead(const surfmink__arcs *c, size_t i)
+static size_t surfmink__behind(const surfmink__arcs *c, size_t i)
 {
     return i > 0 ? i - 1 : c->n - 1;
 }
@@ -3382,7 +3383,7 @@ static int surfmink__sharp(const surfmink__arcs *c, size_t i)
 }
 
 /* A_i = a_i w_i / 6: by so much the mean direction of arc i, carried to its ends, leaves that of the chord. */
-static double surfmink__leave(const surfmink__arcs *c, size_t i)
+static double surfmink__slant(const surfmink__arcs *c, size_t i)
 {
     return c->bend ? c->bend[i] * c->twist[i] / 6 : 0;
 }
@@ -3391,7 +3392,7 @@ static double surfmink__leave(const surfmink__arcs *c, size_t i)
    the corner, and would be exact for curvature that changes linearly. */
 static double surfmink__curving(const surfmink__arcs *c, size_t i)
 {
-    return 2 * c->turn[i] / (c->arc[surfmink__ahead(c, i)] + c->arc[i]);
+    return 2 * c->turn[i] / (c->arc[surfmink__behind(c, i)] + c->arc[i]);
 }
 
 /* How it changes from corner i to the next. */
@@ -3399,14 +3400,14 @@ static double surfmink__change(const surfmink__arcs *c, size_t i)
 {
     size_t next = surfmink__after(c, i);
     return 3 * (surfmink__curving(c, next) - surfmink__curving(c, i)) /
-           (c->arc[surfmink__ahead(c, i)] + c->arc[i] + c->arc[next]);
+           (c->arc[surfmink__behind(c, i)] + c->arc[i] + c->arc[next]);
 }
 
 /* Geodesic curvature in the middle of arc i and its derivative along it: linear between the corners at both ends, or
    from the two next to a sharp one; constant, or straight, if there are no two or no one. */
 static double surfmink__curved(const surfmink__arcs *c, size_t i, double *change)
 {
-    size_t next = surfmink__after(c, i), behind = surfmink__ahead(c, i);
+    size_t next = surfmink__after(c, i), behind = surfmink__behind(c, i);
     *change = 0;
     if (surfmink__sharp(c, i) && surfmink__sharp(c, next)) return 0;
     if (surfmink__sharp(c, i)) {
@@ -3424,7 +3425,7 @@ static double surfmink__curved(const surfmink__arcs *c, size_t i, double *change
    corner one of them. */
 static double surfmink__twisting(const surfmink__arcs *c, size_t i)
 {
-    size_t next = surfmink__after(c, i), behind = surfmink__ahead(c, i);
+    size_t next = surfmink__after(c, i), behind = surfmink__behind(c, i);
     int from = !surfmink__sharp(c, i), to = !surfmink__sharp(c, next);
     double torsion = c->twist[i] / c->arc[i];
     double before = (c->arc[behind] + c->arc[i]) / 2, after = (c->arc[i] + c->arc[next]) / 2, rise = 0, gain = 0;
@@ -3434,7 +3435,8 @@ static double surfmink__twisting(const surfmink__arcs *c, size_t i)
     return (rise + gain) * c->arc[i] * c->arc[i];
 }
 
-/* E_i: the Gaussian curvature between the arc and the edge, as it turns the next one. */
+/* E_i: what the surface between the arc and the edge takes from the turns at both ends. Of a geodesic it is the Gaussian
+   curvature between the two, K_i D_i l_i^2 / 12. */
 static double surfmink__rise(const surfmink__arcs *c, size_t i)
 {
     double a, w, k = c->curvature ? c->curvature[i] : c->constant;
@@ -3457,7 +3459,7 @@ static void surfmink__bow(surfmink__arcs *c, int order)
         c->turn[i] = c->turning[i];
         c->swept[i] = 0;
         surfmink__add(&total, c->turning[i]);
-        if (order > 2) c->turn[i] += surfmink__leave(c, i) - surfmink__leave(c, surfmink__ahead(c, i));
+        if (order > 2) c->turn[i] += surfmink__slant(c, i) - surfmink__slant(c, surfmink__behind(c, i));
     }
     for (i = 0; i < c->n && order > 2; ++i) {
         c->swept[i] = surfmink__curved(c, i, &change) * c->arc[i];
@@ -3487,8 +3489,7 @@ static void surfmink__bow(surfmink__arcs *c, int order)
 /* Is the curve one that can be measured? */
 static int surfmink__check_arcs(const surfmink__arcs *c)
 {
-    if (!surfmink__finite(&c->whole, 1) || !surfmink__finite(&c->total, 1) || !surfmink__finite(&c->turned, 1))
-        return SURFMINK_NOT_FINITE;
+    if (!surfmink__finite(&c->whole, 1) || !surfmink__finite(&c->total, 1)) return SURFMINK_NOT_FINITE;
     return surfmink__check_turning(c->total, c->turned, c->n);
 }
 
@@ -3691,7 +3692,7 @@ static int surfmink__trace(const surfmink__source *s, int every_second, size_t s
         if (at[1] <= at[0]) ++c->windings;
         ++c->n;
     } while (at[1] != start);
-    for (k = 0; k < c->n && c->n >= 3; ++k) {
+    for (k = 0; k < c->n; ++k) {
         at[2] = surfmink__step(s, at[1], every_second);
         status = surfmink__measure_between(s, at, length + k, turning + k, bend + k, twist + k);
         if (status != SURFMINK_OK)
@@ -3737,7 +3738,7 @@ static void surfmink__estimate(const surfmink__source *s, int order, int max_ran
             halves = 1;
         }
     for (half = 0; half < halves && known; ++half) {
-        known = surfmink__trace(s, 1, start + half, scratch, &c, NULL) == SURFMINK_OK && c.n >= 3;
+        known = surfmink__trace(s, 1, start + half, scratch, &c, NULL) == SURFMINK_OK;
         if (!known) break;
         surfmink__bow(&c, order);
         known = surfmink__check_arcs(&c) == SURFMINK_OK && surfmink__winds_alike(&c, turning);

@@ -781,8 +781,8 @@ THEOREM(where_nothing_can_be_said_the_estimate_is_one)
         along(&w, 4, &o);
         m = measure(&o, o.sharp, order);
         is_unknown(&m);
-        for (i = 0; i < 2; ++i) {
-            limacon(&o, i ? 8 : 10, i ? 0.6 : 0.7); /* S of every second: 2 pi; 2 pi and 0 */
+        for (i = 0; i < 3; ++i) { /* S of every second: 2 pi; 2 pi and 0; 0 and 2 pi */
+            limacon(&o, i < 2 ? 10 - 2 * i : 6, i == 0 ? 0.7 : i == 1 ? 0.6 : 0.5);
             m = measure(&o, NULL, order);
             CHECK_NEAR(m.w.turning, 4 * PI, 1e-13);
             is_unknown(&m);
@@ -1209,6 +1209,9 @@ THEOREM(edges_that_are_none_are_refused)
     REFUSES(bend, twist, NULL, 6, 2, SURFMINK_NOT_FINITE);
     curvature[5] = nan("");
     REFUSES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
+    for (i = 0; i < 6; ++i) turning[i] = 1e200; /* and curves that wind as often are longer than anything */
+    REFUSES(NULL, NULL, NULL, 6, 2, SURFMINK_NOT_FINITE);
+    for (i = 0; i < 6; ++i) turning[i] = PI / 3;
     curvature[5] = 1e308; /* finite, but not what it makes of an edge */
     length[5] = 10;
     REFUSES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
@@ -1316,12 +1319,23 @@ THEOREM(a_callback_that_fails_is_reported_with_its_corner)
 #undef MEASURE
 }
 
-/* Lengths that a double can hold, of which the curve has more than it can. */
-THEOREM(a_length_that_overflows_is_refused)
+/* An octagon whose length a double can hold, a triangle whose area it can; but not those of the curves. */
+THEOREM(a_length_or_an_area_that_overflows_is_refused)
 {
     static outline o;
     size_t i;
     measured m;
+    o.kind = PLANE;
+    o.n = 3;
+    for (i = 0; i < o.n; ++i) {
+        double t = 2 * PI * (double)i / (double)o.n, size = sqrt(0.499 * 1.797e308 * 4 / 3 / sqrt(3));
+        o.corner[2 * i] = size * cos(t);
+        o.corner[2 * i + 1] = size * sin(t);
+    }
+    m = measure_only(&o, NULL, 2, P);
+    CHECK_OK(m.status);
+    m = measure_only(&o, NULL, 4, P);
+    is_refused(&m, SURFMINK_NOT_FINITE, o.n);
     o.kind = EMBEDDED;
     o.n = 8;
     memset(o.normal, 0, sizeof o.normal);
@@ -1369,6 +1383,6 @@ int main(void)
     PROVE(edges_that_are_none_are_refused);
     PROVE(lengths_too_unlike_to_divide_by_are_refused_and_not_nonsense);
     PROVE(a_callback_that_fails_is_reported_with_its_corner);
-    PROVE(a_length_that_overflows_is_refused);
+    PROVE(a_length_or_an_area_that_overflows_is_refused);
     return QED();
 }
