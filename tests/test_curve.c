@@ -1319,18 +1319,17 @@ THEOREM(a_callback_that_fails_is_reported_with_its_corner)
 #undef MEASURE
 }
 
-/* An octagon whose length a double can hold, a triangle whose area it can; but not those of the curves. */
+/* An octagon whose length a double can hold, a narrow rectangle whose area it can; but not those of the curves. */
 THEOREM(a_length_or_an_area_that_overflows_is_refused)
 {
     static outline o;
     size_t i;
     measured m;
     o.kind = PLANE;
-    o.n = 3;
+    o.n = 4;
     for (i = 0; i < o.n; ++i) {
-        double t = 2 * PI * (double)i / (double)o.n, size = sqrt(0.499 * 1.797e308 * 4 / 3 / sqrt(3));
-        o.corner[2 * i] = size * cos(t);
-        o.corner[2 * i + 1] = size * sin(t);
+        o.corner[2 * i] = i == 1 || i == 2 ? 2.5e154 : 0;
+        o.corner[2 * i + 1] = i >= 2 ? 1e150 : 0;
     }
     m = measure_only(&o, NULL, 2, P);
     CHECK_OK(m.status);
