@@ -3447,8 +3447,9 @@ static double surfmink__rise(const surfmink__arcs *c, size_t i)
 }
 
 /* Order 4: arc lengths and turns of the curve. Between corners its direction goes through the angle D_i = swept, on both
-   sides of a mean that a chord of the surface has but for A_i. Order 2 leaves edges as they are. */
-static void surfmink__bow(surfmink__arcs *c, int order)
+   sides of a mean that a chord of the surface has but for A_i. Order 2 leaves edges as they are. Returns 0 if an edge is
+   so small beside the outline that its length goes under. */
+static int surfmink__bow(surfmink__arcs *c, int order)
 {
     surfmink__sum whole = {0, 0}, turned = {0, 0}, total = {0, 0}, rise = {0, 0};
     double change, before = 0, here, a;
@@ -3456,6 +3457,7 @@ static void surfmink__bow(surfmink__arcs *c, int order)
     c->segments = c->lead = 0;
     for (i = 0; i < c->n; ++i) {
         c->arc[i] = c->length[i] * c->unit;
+        if (!(c->arc[i] > 0)) return 0;
         c->turn[i] = c->turning[i];
         c->swept[i] = 0;
         surfmink__add(&total, c->turning[i]);
@@ -3484,6 +3486,7 @@ static void surfmink__bow(surfmink__arcs *c, int order)
     c->turned = surfmink__value(&turned);
     c->total = surfmink__value(&total);
     c->rise = surfmink__value(&rise);
+    return 1;
 }
 
 /* Is the curve one that can be measured? */
@@ -3738,9 +3741,8 @@ static void surfmink__estimate(const surfmink__source *s, int order, int max_ran
             halves = 1;
         }
     for (half = 0; half < halves && known; ++half) {
-        known = surfmink__trace(s, 1, start + half, scratch, &c, NULL) == SURFMINK_OK;
+        known = surfmink__trace(s, 1, start + half, scratch, &c, NULL) == SURFMINK_OK && surfmink__bow(&c, order);
         if (!known) break;
-        surfmink__bow(&c, order);
         known = surfmink__check_arcs(&c) == SURFMINK_OK && surfmink__winds_alike(&c, turning);
         if (!known) break;
         error[0] -= c.whole * c.back / (double)c.windings / length / (double)halves;
@@ -3770,7 +3772,7 @@ static int surfmink__fourth(surfmink__arcs *c, const surfmink__source *s, int ma
 {
     surfmink_functionals curve;
     int status;
-    surfmink__bow(c, 4);
+    if (!surfmink__bow(c, 4)) return SURFMINK_NOT_FINITE;
     c->total = w->turning - c->rise; /* which the polygon knows better than the sum of its turns */
     if ((status = surfmink__check_arcs(c)) != SURFMINK_OK) return status;
     curve = surfmink__functionals_of(c, s, w);
