@@ -420,7 +420,7 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
    bad                out, only on failure: as in surfmink_measure_*; or NULL
    Errors: as surfmink_measure_*, for the polygon and for S of the curve; BAD_ARGUMENT (order); NOT_FINITE, if neighbouring
    lengths are so unlike that what they are divided by is none; embedded: ZERO_NORMAL (normals of neighbours opposite).
-   Cost: O(n P), at order 4 four times surfmink_measure_*; error: half of that more, if n is odd all of it.
+   Cost: O(n P), at order 4 two to seven times surfmink_measure_*; error as much again.
    Derivation, convergence and limits: docs/beyond.md. */
 SURFMINK_DEF int surfmink_curve_plane(const double *corner, const unsigned char *sharp, size_t n, int order,
                                       int max_rank, double *scratch, double *mu, double *error, double *g,
@@ -3584,7 +3584,7 @@ typedef struct surfmink__source {
     double curvature;
     size_t n;
     double unit, back; /* as in surfmink__arcs */
-    int measured;      /* a surface: lengths and turns are in scratch already */
+    int measured;      /* edges are well; of a surface they are in scratch already */
 } surfmink__source;
 
 /* a_i and w_i of the edge from x to y. Returns 0 if the normals are opposite. */
@@ -3661,7 +3661,8 @@ static int surfmink__measure_between(const surfmink__source *s, const size_t at[
     three.normal = o->normal ? normal : NULL;
     three.n = 3;
     three.radius = 1; /* edges of a sphere as angles */
-    if ((status = surfmink__check_edge(&three, 1)) != SURFMINK_OK) return status;
+    status = s->measured ? SURFMINK_OK : surfmink__check_edge(&three, 1);
+    if (status != SURFMINK_OK) return status;
     surfmink__measure_corner(&three, 1, length, turning, NULL);
     if (!o->normal) return SURFMINK_OK;
     return surfmink__bend(corner + 3, corner + 6, normal + 3, normal + 6, bend, twist) ? SURFMINK_OK
