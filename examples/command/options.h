@@ -15,6 +15,9 @@ typedef struct options {
     double radius; /* 0: not given, 1 then */
     int max_rank;  /* P >= 1 */
     int transport; /* of enum surfmink_transport */
+    int order;     /* 2, or 4: the smooth curve through the corners */
+    int error;     /* estimates how far off it */
+    double sharp;  /* degrees: corners that turn by more are corners of the curve; 0: not given */
     size_t smooth; /* passes */
     int reverse;   /* of enum reverse */
     int merge;
@@ -88,6 +91,13 @@ static const char *const help_text[] = {
     "  --radius R             of the sphere, default 1\n"
     "  --max-rank P           largest p, default 6\n"
     "  --transport corrected|parallel    parallel: the classical one to the middle of the first edge, for comparison\n"
+    "  --order 2|4            4: measures the smooth curve on which the corners lie, at fourth order. Corners and\n"
+    "                         normals are to be exact, and 20 or so to each bend; shapes with corners want 2, the\n"
+    "                         default, or --sharp. Not for meshes, whose normals are means\n"
+    "  --error                adds columns error_L error_1 ... error_P after mu: estimates of how far L (relative) "
+    "and\n"
+    "                         mu_p are off the smooth curve, from every second corner; 1 if nothing can be said\n"
+    "  --sharp DEGREES        corners that turn by more are corners of the curve: for --order 4 and --error\n"
     "  --smooth K             first K passes of the 3-point mean, against the staircases of pixels\n"
     "  --reverse auto|always|never       turn clockwise, all or (default) no outlines round\n"
     "  --merge                drop corners that coincide with the one before, instead of refusing the polygon\n"
@@ -149,6 +159,15 @@ static int parse_between(const char *name, const char *value, size_t least, size
     return (int)number;
 }
 
+/* Half a turn is the most there is. */
+static double parse_sharp(const char *value)
+{
+    double degrees;
+    if (!parse_number(NULL, value, &degrees) || !(degrees > 0 && degrees < 180))
+        usage_error("--sharp is an angle between 0 and 180 degrees, not '%s'", value);
+    return degrees;
+}
+
 static double parse_radius(const char *value)
 {
     double radius;
@@ -201,6 +220,8 @@ enum option {
     OPTION_RADIUS,
     OPTION_MAX_RANK,
     OPTION_TRANSPORT,
+    OPTION_ORDER,
+    OPTION_SHARP,
     OPTION_SMOOTH,
     OPTION_REVERSE,
     OPTION_DIGITS,
@@ -208,6 +229,7 @@ enum option {
     OPTION_COLOR_BY,
     OPTION_VIEW, /* from here on without a value */
     OPTION_MERGE,
+    OPTION_ERROR,
     OPTION_DIRECTIONS,
     OPTION_JSON,
     OPTION_SUMMARY,
@@ -218,14 +240,15 @@ enum option {
 };
 
 /* In this order. */
-static const char *const option_name[OPTIONS] = {"surface", "radius",  "max-rank", "transport", "smooth", "reverse",
-                                                 "digits",  "svg",     "color-by", "view",      "merge",  "directions",
-                                                 "json",    "summary", "quiet",    "help",      "version"};
+static const char *const option_name[OPTIONS] = {
+    "surface",  "radius", "max-rank", "transport", "order",      "sharp", "smooth",  "reverse", "digits", "svg",
+    "color-by", "view",   "merge",    "error",     "directions", "json",  "summary", "quiet",   "help",   "version"};
 
 static void set_option(options *o, int option, const char *value)
 {
     static const char *const surfaces[] = {"plane", "sphere", "embedded"};
     static const char *const transports[] = {"corrected", "parallel"};
+    static const char *const orders[] = {"2", "4"};
     static const char *const reversals[] = {"auto", "always", "never"};
     static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
     const char *name = option_name[option];
@@ -234,6 +257,9 @@ static void set_option(options *o, int option, const char *value)
     case OPTION_RADIUS: o->radius = parse_radius(value); break;
     case OPTION_MAX_RANK: o->max_rank = parse_between(name, value, 1, 1000000); break;
     case OPTION_TRANSPORT: o->transport = parse_choice(name, value, transports, 2); break;
+    case OPTION_ORDER: o->order = parse_choice(name, value, orders, 2) ? 4 : 2; break;
+    case OPTION_SHARP: o->sharp = parse_sharp(value); break;
+    case OPTION_ERROR: o->error = 1; break;
     case OPTION_SMOOTH: o->smooth = (size_t)parse_between(name, value, 0, 1000000); break;
     case OPTION_REVERSE: o->reverse = parse_choice(name, value, reversals, 3); break;
     case OPTION_DIGITS: o->digits = parse_between(name, value, 1, 17); break;
@@ -284,6 +310,9 @@ static void check_options(options *o)
     if (o->svg && (*o->svg == '\0' || strcmp(o->svg, "-") == 0)) usage_error("--svg needs the name of a file");
     if (!o->svg && o->color_by) usage_error("--color-by is for pictures: add --svg FILE");
     if (!o->svg && o->has_view) usage_error("--view is for pictures: add --svg FILE");
+    if (o->transport == SURFMINK_PARALLEL && (o->order == 4 || o->error))
+        usage_error("--transport parallel has neither --order 4 nor --error");
+    if (o->sharp > 0 && o->order == 2 && !o->error) usage_error("--sharp is for --order 4 and --error");
     if (o->color_by > o->max_rank) usage_error("--color-by mu_%d needs --max-rank %d", o->color_by, o->color_by);
     if (o->color_by == 0) o->color_by = o->max_rank < 2 ? 1 : 2;
 }
@@ -296,6 +325,7 @@ static void parse_options(options *o, int argc, char **argv)
     o->surface = AS_THE_COLUMNS_SAY;
     o->max_rank = 6;
     o->transport = SURFMINK_CORRECTED;
+    o->order = 2;
     o->reverse = REVERSE_NEVER;
     o->digits = 17;
     o->file = (const char **)resize(NULL, (size_t)argc + 1, sizeof *o->file);
