@@ -848,8 +848,9 @@ check "estimates: columns" "$(head -n 1 out | cut -f 12-20 | tr '\t' ' ')" \
     "mu_6 error_L error_1 error_2 error_3 error_4 error_5 error_6 theta_1"
 near "order 2: the estimate is the error of L" "$(field 1 error_L)" \
     "$(awk -v want="$length" -v got="$(field 1 L)" 'BEGIN { print 1 - got / want }')" 1e-7
-check "order 2: what is measured is the polygon" "$(field 1 L) $(field 1 mu_2)" "$(run; field 1 L) $(field 1 mu_2)"
 rough=$(field 1 mu_2)
+run
+near "order 2: what is measured is the polygon" "$(field 1 mu_2)" "$rough" 1e-15
 run --order 4 --error
 near "order 4: L" "$(field 1 L)" "$length" 1e-7
 near "order 4: the estimate is the error of L" "$(field 1 error_L)" \
