@@ -3582,9 +3582,9 @@ typedef struct surfmink__source {
     const double *corner;                                                   /* of a surface */
     const unsigned char *sharp;
     double curvature;
-    size_t n;
     double unit, back; /* as in surfmink__arcs */
-    int measured;      /* edges are well; of a surface they are in scratch already */
+    size_t n;
+    size_t measured; /* not 0: edges are well; of a surface they are in scratch already */
 } surfmink__source;
 
 /* a_i and w_i of the edge from x to y. Returns 0 if the normals are opposite. */
