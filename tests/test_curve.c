@@ -330,15 +330,21 @@ THEOREM(without_the_corrections_the_same_curves_converge_at_second_order)
 {
     static exact e;
     double fitted[QUANTITIES], fine[QUANTITIES];
-    flower_of("xs01", &e);
-    orders(&e, EMBEDDED, GRADED, 2, 0, fitted, fine);
-    CHECK_NEAR(fitted[LENGTH], 2, 0.01);
-    CHECK_NEAR(fitted[TURNING], 2, 0.01);
-    CHECK_NEAR(fitted[MU], 2, 0.02);
-    CHECK(fine[MU] > 1e-7);
-    NOTE("xs01, embedded, edges graded 1:4, order 2: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)  g %.1e (%.2f)",
-         fine[LENGTH], fitted[LENGTH], fine[TURNING], fitted[TURNING], fine[MU], fitted[MU], fine[COMPONENT],
-         fitted[COMPONENT]);
+    int kind, curve;
+    for (curve = 0; curve < 4; ++curve)
+        for (kind = UNIFORM; kind <= GRADED; ++kind) {
+            static const char *const which[4] = {"xs00", "xs01", "xs02", "five bumps"};
+            if (curve < 3) flower_of(which[curve], &e);
+            if (curve == 3) bumps_of(5, 0.1, &e);
+            orders(&e, curve == 0 ? SPHERE : curve < 3 ? EMBEDDED : PLANE, (enum partition)kind, 2, 0, fitted, fine);
+            NOTE("%s, %s, order 2: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)  g %.1e (%.2f)", which[curve],
+                 partition_name[kind], fine[LENGTH], fitted[LENGTH], fine[TURNING], fitted[TURNING], fine[MU],
+                 fitted[MU], fine[COMPONENT], fitted[COMPONENT]);
+            CHECK_NEAR(fitted[LENGTH], 2, 0.01);
+            CHECK_NEAR(fitted[MU], 2, 0.05);
+            CHECK(fine[MU] > 1e-7);
+            if (curve < 3) CHECK_NEAR(fitted[TURNING], 2, 0.01);
+        }
 }
 
 /* A circle of geodesic radius r in the hyperbolic plane, K = -1: L = 2 pi sinh r, S = 2 pi cosh r, mu_p = 0. Corners are
@@ -417,6 +423,54 @@ THEOREM(areas_converge_at_fourth_order_too)
     }
 }
 
+/* Errors of mu at order 2 and 4, root mean square of ten: corners moved in each coordinate by up to `noise` times an edge,
+   normals tilted by up to `tilt`. */
+static void disturbed(const exact *e, size_t n, double noise, double tilt, double off[2])
+{
+    static outline o;
+    int order, round;
+    size_t i;
+    o.kind = EMBEDDED;
+    o.n = n;
+    for (order = 0; order < 2; ++order) {
+        off[order] = 0;
+        for (round = 0; round < 10; ++round) {
+            chance c = {(uint64_t)round};
+            measured m;
+            double errors[QUANTITIES];
+            sample(e, UNIFORM, &o);
+            for (i = 0; i < 3 * n; ++i) {
+                double size = sqrt(dot3(o.normal + i / 3 * 3, o.normal + i / 3 * 3));
+                o.corner[i] += between(&c, -1, 1) * noise * e->length / (double)n;
+                if (i % 3 == 2) o.normal[i] += between(&c, -1, 1) * tilt * size;
+            }
+            m = measure(&o, NULL, 2 + 2 * order);
+            errors_of(e, &m, 0, 6, errors);
+            off[order] += errors[MU] * errors[MU] / 10;
+        }
+        off[order] = sqrt(off[order]);
+    }
+    NOTE("xs01, %d corners, noise %g, tilt %g: mu %.1e at order 2, %.1e at order 4", (int)n, noise, tilt, off[0],
+         off[1]);
+}
+
+THEOREM(corners_or_normals_off_by_a_hundredth_take_the_gain_away)
+{
+    static exact e;
+    double off[2];
+    flower_of("xs01", &e);
+    disturbed(&e, 1024, 0, 0, off);
+    CHECK(off[1] < off[0] / 100);
+    disturbed(&e, 1024, 1e-3, 0, off);
+    CHECK(off[1] < off[0]);
+    disturbed(&e, 1024, 1e-2, 0, off);
+    CHECK(off[1] > off[0] / 2);
+    disturbed(&e, 1024, 0, 1e-3, off);
+    CHECK(off[1] < off[0]);
+    disturbed(&e, 1024, 0, 1e-2, off);
+    CHECK(off[1] > off[0] / 2);
+}
+
 /* --- corners of the curve ----------------------------------------------------------------------------------------- */
 
 /* Three arcs of small circles of the sphere between three corners round the pole; a Reuleaux triangle if they are small.
@@ -487,6 +541,8 @@ static void three_arcs_order(enum kind kind, const char *marked, int order, doub
         fitted[k] = log2(off[0][k] / off[1][k]) / 2;
         fine[k] = off[1][k];
     }
+    NOTE("three arcs, %s, order %d%s%s: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)", kind_name[kind], order,
+         *marked ? ", " : "", marked, fine[0], fitted[0], fine[1], fitted[1], fine[2], fitted[2]);
 }
 
 THEOREM(arcs_between_sharp_corners_converge_at_fourth_order_if_the_corners_are_marked_and_at_first_if_not)
@@ -1325,6 +1381,7 @@ int main(void)
     PROVE(without_the_corrections_the_same_curves_converge_at_second_order);
     PROVE(circles_of_the_hyperbolic_plane_converge_at_fourth_order);
     PROVE(areas_converge_at_fourth_order_too);
+    PROVE(corners_or_normals_off_by_a_hundredth_take_the_gain_away);
     PROVE(arcs_between_sharp_corners_converge_at_fourth_order_if_the_corners_are_marked_and_at_first_if_not);
     PROVE(half_an_ellipse_with_its_two_corners_marked_converges_at_fourth_order);
     PROVE(a_polygon_with_all_corners_marked_is_what_the_polygon_is);
