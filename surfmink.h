@@ -3461,14 +3461,14 @@ static int surfmink__bow(surfmink__arcs *c, int order)
         c->turn[i] = c->turning[i];
         c->swept[i] = 0;
         surfmink__add(&total, c->turning[i]);
-        if (order > 2) c->turn[i] += surfmink__slant(c, i) - surfmink__slant(c, surfmink__behind(c, i));
+        if (order == 4) c->turn[i] += surfmink__slant(c, i) - surfmink__slant(c, surfmink__behind(c, i));
     }
-    for (i = 0; i < c->n && order > 2; ++i) {
+    for (i = 0; i < c->n && order == 4; ++i) {
         c->swept[i] = surfmink__curved(c, i, &change) * c->arc[i];
         if (i == 0) c->lead = change * c->arc[0] * c->arc[0] / 24;
     }
-    if (order > 2) before = surfmink__rise(c, c->n - 1);
-    for (i = 0; i < c->n && order > 2; ++i) {
+    if (order == 4) before = surfmink__rise(c, c->n - 1);
+    for (i = 0; i < c->n && order == 4; ++i) {
         here = surfmink__rise(c, i);
         surfmink__add(&rise, here);
         surfmink__add(&total, -here);
@@ -3478,7 +3478,7 @@ static int surfmink__bow(surfmink__arcs *c, int order)
     }
     for (i = 0; i < c->n; ++i) {
         a = c->bend ? c->bend[i] : 0;
-        if (order > 2) c->arc[i] *= 1 + (c->swept[i] * c->swept[i] + a * a) / 24;
+        if (order == 4) c->arc[i] *= 1 + (c->swept[i] * c->swept[i] + a * a) / 24;
         surfmink__add(&whole, c->arc[i]);
         surfmink__add(&turned, surfmink__abs(c->turn[i]));
     }
@@ -3749,7 +3749,7 @@ static void surfmink__estimate(const surfmink__source *s, int order, int max_ran
         error[0] -= c.whole * c.back / (double)c.windings / length / (double)halves;
         surfmink__ranks_of_arcs(&c, max_rank, NULL, NULL, error, 1 / (double)halves);
     }
-    for (p = 0; p <= max_rank; ++p) error[p] = known ? surfmink__abs(error[p]) / (order > 2 ? 15 : 3) : 1;
+    for (p = 0; p <= max_rank; ++p) error[p] = known ? surfmink__abs(error[p]) / (order == 4 ? 15 : 3) : 1;
 }
 
 /* The functionals of the curve from those of the polygon: what lies between the two is added. */

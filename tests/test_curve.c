@@ -1077,6 +1077,147 @@ THEOREM(edges_and_bends_are_all_that_the_surface_contributes)
     }
 }
 
+/* The same formulas once more, from their meaning: curvatures at places along a line, each sin(x) / x by itself. */
+typedef struct edges {
+    size_t n;
+    double length[16], turning[16], bend[16], twist[16], curvature[16];
+    unsigned char sharp[16];
+    int with_bends;
+} edges;
+
+static double place_of(const edges *e, size_t i, int steps, double *curving)
+{
+    size_t j = (i + e->n + (size_t)steps) % e->n, before = (j + e->n - 1) % e->n, k;
+    double at = (e->length[j] - e->length[before]) / 3, turn = e->turning[j];
+    for (k = 0; steps > 0 && k < (size_t)steps; ++k) at += e->length[(i + k) % e->n];
+    if (steps < 0) at -= e->length[j];
+    if (e->with_bends) turn += (e->bend[j] * e->twist[j] - e->bend[before] * e->twist[before]) / 6;
+    *curving = turn / (e->length[before] / 2 + e->length[j] / 2);
+    return at;
+}
+
+static int is_sharp(const edges *e, size_t i, int steps)
+{
+    return e->sharp[(i + e->n + (size_t)steps) % e->n];
+}
+
+static double swept_of(const edges *e, size_t i, double *slope)
+{
+    int from = 0, to = 1;
+    double one, two, at_one, at_two;
+    *slope = 0;
+    if (is_sharp(e, i, 0) && is_sharp(e, i, 1)) return 0;
+    if (is_sharp(e, i, 0)) from = 1, to = is_sharp(e, i, 2) ? 1 : 2;
+    if (is_sharp(e, i, 1)) to = 0, from = is_sharp(e, i, -1) ? 0 : -1;
+    at_one = place_of(e, i, from, &one);
+    at_two = place_of(e, i, to, &two);
+    if (from != to) *slope = (two - one) / (at_two - at_one);
+    return (one + *slope * (e->length[i] / 2 - at_one)) * e->length[i];
+}
+
+static double surface_between(const edges *e, size_t i, double swept)
+{
+    size_t before = (i + e->n - 1) % e->n, next = (i + 1) % e->n;
+    double l = e->length[i], t = e->twist[i] / l, down, up, change, share;
+    if (!e->with_bends) return e->curvature[i] * swept * l * l / 12;
+    down = (t - e->twist[before] / e->length[before]) / ((e->length[before] + l) / 2);
+    up = (e->twist[next] / e->length[next] - t) / ((e->length[next] + l) / 2);
+    share = (e->length[before] + l) / (e->length[before] + 2 * l + e->length[next]);
+    change = share * up + (1 - share) * down;
+    if (e->sharp[i]) change = up;
+    if (e->sharp[next]) change = e->sharp[i] ? 0 : down;
+    return (e->bend[i] * change * l * l + swept * (e->bend[i] * e->bend[i] - e->twist[i] * e->twist[i])) / 12;
+}
+
+THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
+{
+    chance c = {73};
+    int round, p, sharps;
+    for (round = 0; round < 400; ++round) {
+        edges e;
+        double swept[16], rise[16], turn[16], mu[P + 1], g[2 * P + 2], want[2 * P + 2] = {0};
+        double slope, lead = 0, total = 0, turned = 0, length = 0, phase = 0, l;
+        surfmink_functionals w;
+        size_t i, before;
+        int known;
+        e.n = 4 + one_of(&c, 13);
+        e.with_bends = round % 2;
+        for (sharps = 0, i = 0; i < e.n; ++i) {
+            e.length[i] = between(&c, 0.5, 2);
+            e.turning[i] = 2 * PI / (double)e.n + between(&c, -0.6, 0.6);
+            e.bend[i] = between(&c, -0.5, 0.5);
+            e.twist[i] = between(&c, -0.5, 0.5);
+            e.curvature[i] = between(&c, -1, 1);
+            e.sharp[i] = (unsigned char)(one_of(&c, 3) == 0);
+            sharps += e.sharp[i];
+        }
+        for (i = 0; i < e.n; ++i) {
+            swept[i] = swept_of(&e, i, &slope);
+            if (i == 0) lead = slope * e.length[0] * e.length[0] / 24;
+            rise[i] = surface_between(&e, i, swept[i]);
+        }
+        for (i = 0; i < e.n; ++i) {
+            before = (i + e.n - 1) % e.n;
+            turn[i] = e.turning[i] - (rise[before] + rise[i]) / 2;
+            if (e.with_bends) turn[i] += (e.bend[i] * e.twist[i] - e.bend[before] * e.twist[before]) / 6;
+            total += turn[i];
+            turned += fabs(turn[i]);
+        }
+        for (i = 0; i < e.n; ++i) {
+            l = e.length[i] * (1 + (swept[i] * swept[i] + (e.with_bends ? e.bend[i] * e.bend[i] : 0)) / 24);
+            length += l;
+            if (i > 0) phase += 2 * PI * turn[i] / total;
+            for (p = 1; p <= P; ++p) {
+                double x = p * PI * swept[i] / total, f = p * (phase + 2 * PI * lead / total);
+                want[2 * p] += l * (fabs(x) > 0 ? sin(x) / x : 1) * cos(f);
+                want[2 * p + 1] += l * (fabs(x) > 0 ? sin(x) / x : 1) * sin(f);
+            }
+        }
+        CASE("round %d, %d corners, %d sharp", round, (int)e.n, sharps);
+        known = surfmink_curve_edges(e.length, e.turning, e.with_bends ? e.bend : NULL, e.with_bends ? e.twist : NULL,
+                                     e.curvature, sharps ? e.sharp : NULL, e.n, P, scratch, mu, g, &w);
+        if (!(total > 1)) continue; /* that would be ill-conditioned */
+        CHECK_OK(known);
+        CHECK_CLOSE(w.length, length, 1e-14);
+        CHECK_CLOSE(w.turning, total, 1e-13);
+        CHECK_NEAR(w.curvature, 2 * PI - total, 1e-13);
+        CHECK_CLOSE(w.condition, fmax(1, turned / total), 1e-13);
+        for (p = 1; p <= P; ++p) {
+            CHECK_NEAR(mu[p], hypot(want[2 * p], want[2 * p + 1]) / length, 1e-12);
+            CHECK_NEAR(g[2 * p], want[2 * p], 1e-11);
+            CHECK_NEAR(g[2 * p + 1], want[2 * p + 1], 1e-11);
+        }
+    }
+}
+
+/* High ranks come in blocks of 24. */
+THEOREM(high_ranks_are_the_same_however_many_are_asked_for)
+{
+    static double few[31], many[101], error[101], g[202], power[202];
+    static outline o;
+    chance c = {74};
+    int p, order;
+    for (order = 2; order <= 4; order += 2) {
+        some_outline(&c, PLANE, 300, &o);
+        CHECK_OK(surfmink_curve_plane(o.corner, NULL, o.n, order, 30, scratch, few, NULL, NULL, NULL, NULL));
+        CHECK_OK(surfmink_curve_plane(o.corner, NULL, o.n, order, 100, scratch, many, error, g, NULL, NULL));
+        for (p = 0; p <= 30; ++p) CHECK_NEAR(many[p], few[p], 1e-15);
+        for (p = 0; p <= 100; ++p) CHECK_NEAR(hypot(g[2 * p], g[2 * p + 1]) / g[0], many[p], 1e-14);
+    }
+    /* A circle is 0 at all ranks, and its polygon 1 at the number of its corners. */
+    o.n = 100;
+    for (p = 0; p < 100; ++p) {
+        o.corner[2 * p] = cos(2 * PI * p / 100);
+        o.corner[2 * p + 1] = sin(2 * PI * p / 100);
+    }
+    CHECK_OK(surfmink_curve_plane(o.corner, NULL, 100, 4, 100, scratch, many, NULL, power, NULL, NULL));
+    CHECK_NEAR(many[100], 0, 1e-12); /* sin(pi) / pi */
+    for (p = 0; p < 100; ++p) o.sharp[p] = 1;
+    CHECK_OK(surfmink_curve_plane(o.corner, o.sharp, 100, 4, 100, scratch, many, NULL, power, NULL, NULL));
+    CHECK_NEAR(many[100], 1, 1e-12); /* the polygon itself */
+    CHECK_NEAR(many[50], 0, 1e-12);
+}
+
 /* On a sphere of radius R the normal turns over by the angle between its ends, and not about the edge. */
 THEOREM(bends_of_a_sphere_and_of_a_cylinder_are_known)
 {
@@ -1397,6 +1538,8 @@ int main(void)
     PROVE(the_sphere_by_callbacks_is_the_sphere);
     PROVE(a_plane_in_space_is_the_plane);
     PROVE(edges_and_bends_are_all_that_the_surface_contributes);
+    PROVE(the_scheme_is_its_formulas_whatever_the_edges);
+    PROVE(high_ranks_are_the_same_however_many_are_asked_for);
     PROVE(bends_of_a_sphere_and_of_a_cylinder_are_known);
     PROVE(a_bad_outline_is_named_and_changes_nothing);
     PROVE(opposite_normals_of_neighbours_are_refused);
