@@ -1291,10 +1291,13 @@ THEOREM(a_bad_outline_is_named_and_changes_nothing)
             m = measure_only(&good, NULL, 3, P);
             is_refused(&m, SURFMINK_BAD_ARGUMENT, o.n);
             if (kind != SPHERE) continue;
-            o = good;
-            o.radius = -1;
-            m = measure_only(&o, NULL, order, P);
-            is_refused(&m, SURFMINK_BAD_ARGUMENT, o.n);
+            for (k = 0; k < 4; ++k) {
+                static const double radius[3] = {-1, 0, 1e308};
+                o = good;
+                o.radius = k < 3 ? radius[k] : nan("");
+                m = measure_only(&o, NULL, order, P);
+                is_refused(&m, SURFMINK_BAD_ARGUMENT, o.n);
+            }
         }
 }
 
