@@ -396,12 +396,12 @@ SURFMINK_DEF int surfmink_frame_embedded(const double *corner, const double *nor
 SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double phase, const double *frame, int dim,
                                        double *vector);
 
-/* --- smooth curves: fourth order, error estimates ------------------------------------------------------------------ */
+/* --- smooth curves: fourth order, error estimates ----------------------------------------------------------------- */
 
 /* Measures the smooth closed curve on which the corners lie, instead of the polygon that they make. Order 2 gives the
-   numbers of surfmink_measure_*: the polygon stands for the curve, with errors that fall fourfold when corners are twice
-   as many. Order 4 adds what the curve does between corners, by formulas in the same lengths and turns: errors fall
-   sixteenfold. Polygons are no smooth curves: for shapes with corners take order 2, or tell which corners are sharp.
+   numbers of surfmink_measure_*: the polygon stands for the curve, with errors that fall fourfold when corners are
+   twice as many. Order 4 adds what the curve does between corners, by formulas in the same lengths and turns: errors
+   fall sixteenfold. For shapes with corners take order 2, where polygons are exact, or tell which corners are sharp.
    corner, normal, radius, surface  as surfmink_measure_*; the corners lie on the curve, the normals are exact
    sharp       n      not 0 where the curve itself has a corner, between smooth arcs; or NULL: nowhere. Order 4 then
                       looks along each arc only. If all are sharp, edges are straight lines or geodesics
@@ -410,16 +410,16 @@ SURFMINK_DEF int surfmink_eigenvectors(const double *g, int p, int sign, double 
    max_rank           P >= 0
    scratch     8 n    doubles to work in
    mu          P + 1  out; or NULL
-   error       P + 1  out: how far mu_p may be off the curve, estimated from every second corner, by |mu_p - half mu_p| / 3
-                      at order 2, / 15 at order 4; error[0] is that of L, over L, since mu_0 has none. 1 if nothing can be
-                      said: fewer than 5 corners, or every second is an outline that is refused. Or NULL. Of an even n,
-                      half mu_p is the mean of that of the even corners and that of the odd ones; of an odd n, one goes
-                      round twice. If corners are sharp, they stay, and one goes round once
+   error       P + 1  out: how far mu_p may be off the curve: |mu_p - half mu_p| / 3 at order 2, / 15 at order 4, where
+                      half mu_p is that of every second corner; error[0] is that of L, over L, since mu_0 has none.
+                      1 if nothing can be said: fewer than 5 corners, or every second is an outline that is refused.
+                      Of an even n, half mu_p is the mean of that of the even corners and that of the odd ones; of an
+                      odd n, one goes round twice. If corners are sharp, they stay, and one goes round once. Or NULL
    g         2 P + 2  out: read at the middle of the arc of edge 0, against the co-normal of the curve there; or NULL
    w                  out: of the curve; area in the plane and on the sphere; or NULL
    bad                out, only on failure: as in surfmink_measure_*; or NULL
-   Errors: as surfmink_measure_*, for the polygon and for S of the curve; BAD_ARGUMENT (order); NOT_FINITE, if neighbouring
-   lengths are so unlike that what they are divided by is none; embedded: ZERO_NORMAL (normals of neighbours opposite).
+   Errors: as surfmink_measure_*, for the polygon and for S of the curve; BAD_ARGUMENT (order); NOT_FINITE (lengths of
+   neighbours too unlike to divide one by the other); embedded: ZERO_NORMAL (normals of neighbours opposite).
    Cost: O(n P), at order 4 two to seven times surfmink_measure_*; error as much again.
    Derivation, convergence and limits: docs/beyond.md. */
 SURFMINK_DEF int surfmink_curve_plane(const double *corner, const unsigned char *sharp, size_t n, int order,
@@ -3435,8 +3435,8 @@ static double surfmink__twisting(const surfmink__arcs *c, size_t i)
     return (rise + gain) * c->arc[i] * c->arc[i];
 }
 
-/* E_i: what the surface between the arc and the edge takes from the turns at both ends. Of a geodesic it is the Gaussian
-   curvature between the two, K_i D_i l_i^2 / 12. */
+/* E_i: what the surface between the arc and the edge takes from the turns at both ends. Of a geodesic it is the
+   Gaussian curvature between the two, K_i D_i l_i^2 / 12. */
 static double surfmink__rise(const surfmink__arcs *c, size_t i)
 {
     double a, w, k = c->curvature ? c->curvature[i] : c->constant;
@@ -3446,9 +3446,9 @@ static double surfmink__rise(const surfmink__arcs *c, size_t i)
     return (a * surfmink__twisting(c, i) + c->swept[i] * (a * a - w * w)) / 12;
 }
 
-/* Order 4: arc lengths and turns of the curve. Between corners its direction goes through the angle D_i = swept, on both
-   sides of a mean that a chord of the surface has but for A_i. Order 2 leaves edges as they are. Returns 0 if an edge is
-   so small beside the outline that its length goes under. */
+/* Order 4: arc lengths and turns of the curve. Between corners its direction goes through the angle D_i = swept, on
+   both sides of a mean that a chord of the surface has but for A_i. Order 2 leaves edges as they are. Returns 0 if an
+   edge is so small beside the outline that its length goes under. */
 static int surfmink__bow(surfmink__arcs *c, int order)
 {
     surfmink__sum whole = {0, 0}, turned = {0, 0}, total = {0, 0}, rise = {0, 0};
@@ -3677,8 +3677,8 @@ static size_t surfmink__step(const surfmink__source *s, size_t i, int every_seco
     return next + 1 < s->n ? next + 1 : 0;
 }
 
-/* Measures a curve, or every second corner of it, from one of them on: once round, twice if that is how one comes back to
-   where one began.
+/* Measures a curve, or every second corner of it, from one of them on: once round, twice if that is how one comes back
+   to where one began.
    scratch  8 n  l alpha, a w or K, h turn D, and which are sharp */
 static int surfmink__trace(const surfmink__source *s, int every_second, size_t start, double *scratch,
                            surfmink__arcs *c, size_t *bad)

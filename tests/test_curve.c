@@ -1,9 +1,10 @@
 /* Smooth curves: order 4, sharp corners, and estimates of the error.
    cc -I. tests/test_curve.c -lm && ./a.out
 
-   The scheme itself is pinned by tests/data/corr4_*, which another program computed. That it is of fourth order is shown
-   against curves whose measures are known (errors at 4096 corners and fitted orders are printed): flowers on a sphere, an ellipsoid and a torus from tests/data/xsmooth_ref.tsv,
-   curves of the plane, where the phase is the angle of the tangent, and circles of the hyperbolic plane. */
+   The scheme itself is pinned by tests/data/corr4_*, which another program computed. That it is of fourth order is
+   shown against curves whose measures are known (errors at 4096 corners and fitted orders are printed): flowers on a
+   sphere, an ellipsoid and a torus from tests/data/xsmooth_ref.tsv, curves of the plane, where the phase is the angle
+   of the tangent, and circles of the hyperbolic plane. */
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 
@@ -248,8 +249,8 @@ static void errors_of(const exact *e, const measured *m, double lead, int max_ra
     }
 }
 
-/* Orders of convergence between n = 1024 and 4096, of ranks up to 6, and the errors at 4096. With sharp corners: some are
-   called so, always the same number, though the curve is smooth there. */
+/* Orders of convergence between n = 1024 and 4096, of ranks up to 6, and the errors at 4096. With sharp corners: some
+   are called so, always the same number, though the curve is smooth there. */
 static void orders(const exact *e, enum kind surface, enum partition kind, int order, int sharp,
                    double fitted[QUANTITIES], double fine[QUANTITIES])
 {
@@ -270,8 +271,8 @@ static void orders(const exact *e, enum kind surface, enum partition kind, int o
     for (q = 0; q < QUANTITIES; ++q) fitted[q] = fine[q] > 0 ? log2(coarse[q] / fine[q]) / 2 : 0;
 }
 /* Orders of L, S, mu and g on all partitions: 4 within a band. S of the plane is exact. The direction in the middle of
-   edge 0, against the chord, has an error of third order if the edges beside it are unlike, or a sharp corner is next: that
-   of one edge alone, which g shows and mu does not. */
+   edge 0, against the chord, has an error of third order if the edges beside it are unlike, or a sharp corner is next:
+   that of one edge alone, which g shows and mu does not. */
 static void is_of_fourth_order(const exact *e, const char *which, enum kind surface, int sharp, double band)
 {
     double fitted[QUANTITIES], fine[QUANTITIES];
@@ -347,8 +348,8 @@ THEOREM(without_the_corrections_the_same_curves_converge_at_second_order)
         }
 }
 
-/* A circle of geodesic radius r in the hyperbolic plane, K = -1: L = 2 pi sinh r, S = 2 pi cosh r, mu_p = 0. Corners are
-   not equally far apart, or mu would be exact by symmetry. */
+/* A circle of geodesic radius r in the hyperbolic plane, K = -1: L = 2 pi sinh r, S = 2 pi cosh r, mu_p = 0. Corners
+   are not equally far apart, or mu would be exact by symmetry. */
 static int minus_one(void *context, const double *x, double *curvature)
 {
     (void)context;
@@ -423,8 +424,8 @@ THEOREM(areas_converge_at_fourth_order_too)
     }
 }
 
-/* Errors of mu at order 2 and 4, root mean square of ten: corners moved in each coordinate by up to `noise` times an edge,
-   normals tilted by up to `tilt`. */
+/* Errors of mu at order 2 and 4, root mean square of ten: corners moved in each coordinate by up to `noise` times an
+   edge, normals tilted by up to `tilt`. */
 static void disturbed(const exact *e, size_t n, double noise, double tilt, double off[2])
 {
     static outline o;
@@ -473,15 +474,15 @@ THEOREM(corners_or_normals_off_by_a_hundredth_take_the_gain_away)
 
 /* --- corners of the curve ----------------------------------------------------------------------------------------- */
 
-/* Three arcs of small circles of the sphere between three corners round the pole; a Reuleaux triangle if they are small.
-   Everything about it is known: arcs of angular radius rho over an angle delta have length sin(rho) delta and turn by
-   cos(rho) delta = swept; at the corners the tangent turns by what S leaves. n corners, n / 3 an arc, unevenly. */
+/* Three arcs of small circles of the sphere between three corners round the pole; a Reuleaux triangle if they are
+   small. Everything about it is known: arcs of angular radius rho over an angle delta have length sin(rho) delta and
+   turn by cos(rho) delta = swept; at the corners the tangent turns by what S leaves. n / 3 uneven edges an arc. */
 static void three_arcs(outline *o, double polar, double rho, double *length, double *turning, double mu[P + 1])
 {
     double corner[3], last[3], centre[3], axis[3] = {0, 0, 1}, in[3], out[3], side[3], ahead[3], delta, kink, swept;
     size_t arc = o->n / 3, i;
     int p;
-    /* the centre lies on the meridian opposite to the middle of the arc: cos rho = cos c cos polar - sin c sin polar / 2 */
+    /* the centre lies on the meridian opposite to the arc: cos rho = cos c cos polar - sin c sin polar / 2 */
     double a = cos(polar), b = -sin(polar) / 2, c = acos(cos(rho) / hypot(a, b)) + atan2(b, a);
     for (i = 0; i < 2; ++i) {
         double *x = i ? last : corner;
@@ -681,8 +682,8 @@ static void along(const wobble *w, size_t n, outline *o)
     wobble_points(w, n, o->corner, o->normal);
 }
 
-/* The share of errors, of L and of mu_1 .. mu_6, that are within a factor 2 of their estimates; the rest mostly are where
-   an error changes its sign. */
+/* The share of errors, of L and of mu_1 .. mu_6, that are within a factor 2 of their estimates; the rest mostly are
+   where an error changes its sign. */
 static double share_within_two(int where, size_t n, int order, int curves)
 {
     static outline o;
@@ -720,8 +721,8 @@ THEOREM(nearly_all_errors_are_within_a_factor_of_two_of_their_estimates)
         }
 }
 
-/* A known error: a regular polygon in a circle. L is too short by x^2 / 6 - x^4 / 120, x = pi / n; every second corner has
-   twice the x, if n is odd too. Order 4 makes it h = l (1 + (2 pi / n)^2 / 24). */
+/* A known error: a regular polygon in a circle. L is too short by x^2 / 6 - x^4 / 120, x = pi / n; every second corner
+   has twice the x, if n is odd too. Order 4 makes it h = l (1 + (2 pi / n)^2 / 24). */
 THEOREM(of_a_circle_the_estimate_of_the_length_is_known)
 {
     static outline o;
@@ -917,8 +918,8 @@ THEOREM(the_curve_does_not_depend_on_which_corner_comes_first)
             }
 }
 
-/* g_p at another edge is the same with the phase between the two; so eigenvectors are where they are. Steps 2 and 3 with
-   arcs know that phase only up to the leads of both edges: they are as small as the square of an edge. */
+/* g_p at another edge is the same with the phase between the two; so eigenvectors are where they are. Steps 2 and 3
+   with arcs know that phase only up to the leads of both edges: they are as small as the square of an edge. */
 THEOREM(components_at_another_edge_differ_by_a_rotation)
 {
     static outline o, other;

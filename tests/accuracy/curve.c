@@ -4,8 +4,9 @@
      ./curve 400                                            so many curves of each kind; exit status 1 above a limit
 
    The first table: worst rounding errors of order 4. The reference below is the scheme of docs/beyond.md, written once
-   more, from its formulas: turns as differences of angles in a frame of the tangent plane, geodesic curvature on the line
-   through two points, every sin(x) / x by itself. Corners are doubles and taken as exact.
+   more, from its formulas: turns as differences of angles in a frame of the tangent plane, geodesic curvature on the
+   line through two points, every sin(x) / x by itself. Corners are doubles and taken as exact.
+
    The second table: how far curves are off their estimates. The truth is order 4 with 2048 corners. */
 #define SURFMINK_STATIC
 #include "surfmink.h"
@@ -124,7 +125,7 @@ static int sharp(const arcs *c, size_t i, ptrdiff_t steps)
     return c->sharp && c->sharp[(i + c->n + (size_t)steps) % c->n];
 }
 
-/* Geodesic curvature in the middle of edge i, and its slope: the line through kv of the two nearest corners of the arc. */
+/* Geodesic curvature in the middle of edge i, and its slope: the line through kv of two corners of the arc. */
 static quad curvature(const arcs *c, size_t i, quad *slope)
 {
     ptrdiff_t from = 0, to = 1;
