@@ -3742,9 +3742,8 @@ static void surfmink__estimate(const surfmink__source *s, int order, int max_ran
             halves = 1;
         }
     for (half = 0; half < halves && known; ++half) {
-        known = surfmink__trace(s, 1, start + half, scratch, &c, NULL) == SURFMINK_OK && surfmink__bow(&c, order);
-        if (!known) break;
-        known = surfmink__check_arcs(&c) == SURFMINK_OK && surfmink__winds_alike(&c, turning);
+        known = surfmink__trace(s, 1, start + half, scratch, &c, NULL) == SURFMINK_OK && surfmink__bow(&c, order) &&
+                surfmink__check_arcs(&c) == SURFMINK_OK && surfmink__winds_alike(&c, turning);
         if (!known) break;
         error[0] -= c.whole * c.back / (double)c.windings / length / (double)halves;
         surfmink__ranks_of_arcs(&c, max_rank, NULL, NULL, error, 1 / (double)halves);
@@ -3827,7 +3826,7 @@ static surfmink__source surfmink__source_of(const surfmink__outline *o, const un
     s.sharp = sharp;
     s.curvature = o->kind == SURFMINK__SPHERE ? 1 : 0; /* of the unit sphere */
     s.n = o->n;
-    s.unit = s.back = 1;
+    s.unit = s.back = 0; /* known when L is */
     s.measured = 0;
     return s;
 }

@@ -774,6 +774,7 @@ static void limacon(outline *o, size_t n, double inner)
 THEOREM(where_nothing_can_be_said_the_estimate_is_one)
 {
     static outline o;
+    static const double far[2 * 6] = {0, 0, 1e300, -1e300, 1e-310, 0, 1e300, 1e300, -1e300, 1e300, -1e300, -1e300};
     static const double twin[2 * 6] = {0, 0, 1, -1, 2, 0, 3, 1, 2, 0, 1, 1}; /* corners 2 and 4 are the same point */
     chance c = {45};
     wobble w = some_wobble(&c, IN_THE_PLANE);
@@ -802,6 +803,10 @@ THEOREM(where_nothing_can_be_said_the_estimate_is_one)
         CHECK(m.error[2] < 1);
         along(&w, 4, &o);
         m = measure(&o, o.sharp, order);
+        is_unknown(&m);
+        limacon(&o, 6, 1); /* for its normals; from corner 0 to 2 it is so little that it goes under */
+        for (i = 0; i < 6; ++i) memcpy(o.corner + 3 * i, far + 2 * i, 2 * sizeof *far);
+        m = measure(&o, NULL, order);
         is_unknown(&m);
         for (i = 0; i < 3; ++i) { /* S of every second: 2 pi; 2 pi and 0; 0 and 2 pi */
             limacon(&o, i < 2 ? 10 - 2 * i : 6, i == 0 ? 0.7 : i == 1 ? 0.6 : 0.5);
