@@ -132,6 +132,8 @@ accuracy:
 	$(BUILD)/kernels
 	gcc -O2 -I. tests/accuracy/accuracy.c -o $(BUILD)/accuracy -lquadmath -lm
 	$(BUILD)/accuracy --polygons $(POLYGONS)
+	gcc -O2 -I. tests/accuracy/curve.c -o $(BUILD)/accuracy_curve -lquadmath -lm
+	$(BUILD)/accuracy_curve 200
 
 bench:
 	@mkdir -p $(BUILD)

@@ -422,6 +422,74 @@ SURFMINK_DEF int surfmink_director_sphere(const double *corner, size_t n, const 
 SURFMINK_DEF int surfmink_director_embedded(const double *corner, const double *normal, size_t n, const double *length,
                                             const double *phase, const double *g, int max_rank, double *scratch,
                                             double *centre, double *mean_normal, double *direction, double *coherence);
+/* --- smooth curves: fourth order, error estimates ----------------------------------------------------------------- */
+
+/* Measures the smooth closed curve on which the corners lie, instead of the polygon that they make. Order 2 gives the
+   numbers of surfmink_measure_*: the polygon stands for the curve, with errors that fall fourfold when corners are
+   twice as many. Order 4 adds what the curve does between corners, by formulas in the same lengths and turns: errors
+   fall sixteenfold. For shapes with corners take order 2, where polygons are exact, or tell which corners are sharp.
+   corner, normal, radius, surface  as surfmink_measure_*; the corners lie on the curve, the normals are exact
+   sharp       n      not 0 where the curve itself has a corner, between smooth arcs; or NULL: nowhere. Order 4 then
+                      looks along each arc only. If all are sharp, edges are straight lines or geodesics
+   n                  number of corners, >= 3; order 4 wants 20 or so for each bend of the curve
+   order              2 or 4
+   max_rank           P >= 0
+   scratch     8 n    doubles to work in
+   mu          P + 1  out; or NULL
+   error       P + 1  out: how far mu_p may be off the curve: |mu_p - half mu_p| / 3 at order 2, / 15 at order 4, where
+                      half mu_p is that of every second corner; error[0] is that of L, over L, since mu_0 has none.
+                      1 if nothing can be said: fewer than 5 corners, or every second is an outline that is refused.
+                      Of an even n, half mu_p is the mean of that of the even corners and that of the odd ones; of an
+                      odd n, one goes round twice. If corners are sharp, they stay, and one goes round once. Or NULL
+   g         2 P + 2  out: read at the middle of the arc of edge 0, against the co-normal of the curve there; or NULL
+   w                  out: of the curve; area in the plane and on the sphere; or NULL
+   bad                out, only on failure: as in surfmink_measure_*; or NULL
+   Errors: as surfmink_measure_*, for the polygon and for S of the curve; BAD_ARGUMENT (order); NOT_FINITE (lengths of
+   neighbours too unlike to divide one by the other); embedded: ZERO_NORMAL (normals of neighbours opposite).
+   Cost: O(n P), at order 4 two to seven times surfmink_measure_*; error as much again.
+   Derivation, convergence and limits: docs/beyond.md. */
+SURFMINK_DEF int surfmink_curve_plane(const double *corner, const unsigned char *sharp, size_t n, int order,
+                                      int max_rank, double *scratch, double *mu, double *error, double *g,
+                                      surfmink_functionals *w, size_t *bad);
+SURFMINK_DEF int surfmink_curve_sphere(const double *corner, const unsigned char *sharp, size_t n, double radius,
+                                       int order, int max_rank, double *scratch, double *mu, double *error, double *g,
+                                       surfmink_functionals *w, size_t *bad);
+SURFMINK_DEF int surfmink_curve_embedded(const double *corner, const double *normal, const unsigned char *sharp,
+                                         size_t n, int order, int max_rank, double *scratch, double *mu, double *error,
+                                         double *g, surfmink_functionals *w, size_t *bad);
+/* curvature          the Gaussian curvature K if it is the same everywhere, in 1 / length^2; else ignored
+   curvature_at       writes K at the corner x, and returns as the callbacks of the surface do; or NULL */
+SURFMINK_DEF int surfmink_curve_surface(const surfmink_surface *surface, double curvature,
+                                        int (*curvature_at)(void *context, const double *x, double *curvature),
+                                        const double *corner, const unsigned char *sharp, size_t n, int order,
+                                        int max_rank, double *scratch, double *mu, double *error, double *g,
+                                        surfmink_functionals *w, size_t *bad);
+
+/* What order 4 needs to know of straight edges besides l_i and alpha_i: how the surface curves along them.
+   corner, normal 3 n as surfmink_measure_embedded
+   bend        n      out: a_i = -(n_{i+1} - n_i) . e, the angle by which the normal turns over along edge i: normal
+                      curvature times length, negative where the surface bulges outwards along the edge
+   twist       n      out: w_i = -(n_{i+1} - n_i) . (N x e), by which it turns about the edge: geodesic torsion times
+                      length. e is the unit edge, N the mean normal orthogonal to it
+   Errors: as surfmink_edges_embedded, and ZERO_NORMAL (normals of neighbours opposite). Cost: O(n). */
+SURFMINK_DEF int surfmink_bends_embedded(const double *corner, const double *normal, size_t n, double *bend,
+                                         double *twist, size_t *bad);
+
+/* Order 4 from measured edges: l_i, alpha_i and three more numbers an edge are all that a surface contributes.
+   length      n      lengths > 0
+   turning     n      radians
+   bend, twist n      of straight edges, from surfmink_bends_embedded; or both NULL: edges are geodesics
+   curvature   n      Gaussian curvature K_i at the middle of geodesic edges, good to O(l^2); ignored if there are bend
+                      and twist; or NULL: 0
+   sharp, max_rank, mu, g  as surfmink_curve_*
+   scratch     3 n    doubles to work in
+   w                  out: of the curve; area is 0; or NULL
+   Errors: as surfmink_total, for the polygon and for the curve; COINCIDENT_CORNERS (a length of 0); NOT_FINITE;
+   BAD_ARGUMENT (bend without twist). Cost: O(n P). */
+SURFMINK_DEF int surfmink_curve_edges(const double *length, const double *turning, const double *bend,
+                                      const double *twist, const double *curvature, const unsigned char *sharp,
+                                      size_t n, int max_rank, double *scratch, double *mu, double *g,
+                                      surfmink_functionals *w);
 
 /* --- the sphere as a surface: exp and log ------------------------------------------------------------------------- */
 
@@ -2343,10 +2411,23 @@ static int surfmink__log(const surfmink_surface *surface, const double *x, const
     return surfmink__max_abs(direction, 2) > 0 ? SURFMINK_OK : SURFMINK_CALLBACK_FAILED;
 }
 
+/* Length of the edge from a corner to the next, and the turn at the corner. */
+static int surfmink__log_corner(const surfmink_surface *surface, const double *before, const double *x,
+                                const double *next, double *length, double *turning)
+{
+    double in[2], out[2], back;
+    int status = surfmink__log(surface, x, before, &back, in);
+    if (status == SURFMINK_OK) status = surfmink__log(surface, x, next, length, out);
+    if (status != SURFMINK_OK) return status;
+    in[0] = -in[0]; /* the way back to the previous corner points against the edge that arrives */
+    in[1] = -in[1];
+    *turning = surfmink__turn_plane(in, out);
+    return SURFMINK_OK;
+}
+
 SURFMINK_DEF int surfmink_edges_surface(const surfmink_surface *surface, const double *corner, size_t n,
                                         double *scratch, double *length, double *turning, size_t *bad)
 {
-    double in[2], out[2], back;
     size_t i, previous, next;
     int status;
     if (n < 3) return surfmink__blame(SURFMINK_TOO_FEW_CORNERS, n, bad);
@@ -2354,14 +2435,9 @@ SURFMINK_DEF int surfmink_edges_surface(const surfmink_surface *surface, const d
     for (i = 0; i < n; ++i) {
         previous = i > 0 ? i - 1 : n - 1;
         next = i + 1 < n ? i + 1 : 0;
-        status = surfmink__log(surface, corner + i * surface->stride, corner + previous * surface->stride, &back, in);
-        if (status == SURFMINK_OK)
-            status =
-                surfmink__log(surface, corner + i * surface->stride, corner + next * surface->stride, scratch + i, out);
+        status = surfmink__log_corner(surface, corner + previous * surface->stride, corner + i * surface->stride,
+                                      corner + next * surface->stride, scratch + i, scratch + n + i);
         if (status != SURFMINK_OK) return surfmink__blame(status, i, bad);
-        in[0] = -in[0]; /* the way back to the previous corner points against the edge that arrives */
-        in[1] = -in[1];
-        scratch[n + i] = surfmink__turn_plane(in, out);
     }
     for (i = 0; i < n; ++i) {
         length[i] = scratch[i];
@@ -3467,6 +3543,567 @@ SURFMINK_DEF size_t surfmink_batch_embedded(const double *corner, const double *
 {
     surfmink__job job = surfmink__job_of(SURFMINK__EMBEDDED, corner, normal, 1, offset, max_rank, out, scratch);
     return surfmink__batch(&job, count, surfmink__choose());
+}
+
+/* --- smooth curves ------------------------------------------------------------------------------------------------ */
+
+/* A smooth curve through corners: what is known of its arcs, one for each edge, and what order 4 makes of it. */
+typedef struct surfmink__arcs {
+    const double *length, *turning;    /* l_i, alpha_i */
+    const double *bend, *twist;        /* a_i, w_i; or NULL: edges are geodesics */
+    const double *curvature;           /* K_i; or NULL: `constant` everywhere */
+    const unsigned char *sharp;        /* or NULL: no corner is */
+    double constant;                   /* of geodesics only */
+    double *arc, *turn, *swept;        /* h_i times unit, turn_i, D_i */
+    double unit, back;                 /* lengths times unit are ordinary; times back they are those of the caller */
+    double whole, total, turned, rise; /* sum of arc, S, sum |turn_i|, sum E_i */
+    double segments;                   /* between chords and arcs: sum D_i l_i^2 / 12, in units */
+    double lead;                       /* from the mean direction of arc 0 to that at its middle */
+    size_t n, windings;                /* the corners go round so many times */
+} surfmink__arcs;
+
+static size_t surfmink__after(const surfmink__arcs *c, size_t i)
+{
+    return i + 1 < c->n ? i + 1 : 0;
+}
+
+static size_t surfmink__behind(const surfmink__arcs *c, size_t i)
+{
+    return i > 0 ? i - 1 : c->n - 1;
+}
+
+static int surfmink__sharp(const surfmink__arcs *c, size_t i)
+{
+    return c->sharp && c->sharp[i];
+}
+
+/* A_i = a_i w_i / 6: by so much the mean direction of arc i, carried to its ends, leaves that of the chord. */
+static double surfmink__slant(const surfmink__arcs *c, size_t i)
+{
+    return c->bend ? c->bend[i] * c->twist[i] / 6 : 0;
+}
+
+/* Geodesic curvature at corner i: its turn over half the two edges. It belongs to the point (l_i - l_{i-1}) / 3 behind
+   the corner, and would be exact for curvature that changes linearly. */
+static double surfmink__curving(const surfmink__arcs *c, size_t i)
+{
+    return 2 * c->turn[i] / (c->arc[surfmink__behind(c, i)] + c->arc[i]);
+}
+
+/* How it changes from corner i to the next. */
+static double surfmink__change(const surfmink__arcs *c, size_t i)
+{
+    size_t next = surfmink__after(c, i);
+    return 3 * (surfmink__curving(c, next) - surfmink__curving(c, i)) /
+           (c->arc[surfmink__behind(c, i)] + c->arc[i] + c->arc[next]);
+}
+
+/* Geodesic curvature in the middle of arc i and its derivative along it: linear between the corners at both ends, or
+   from the two next to a sharp one; constant, or straight, if there are no two or no one. */
+static double surfmink__curved(const surfmink__arcs *c, size_t i, double *change)
+{
+    size_t next = surfmink__after(c, i), behind = surfmink__behind(c, i);
+    *change = 0;
+    if (surfmink__sharp(c, i) && surfmink__sharp(c, next)) return 0;
+    if (surfmink__sharp(c, i)) {
+        if (!surfmink__sharp(c, surfmink__after(c, next))) *change = surfmink__change(c, next);
+        return surfmink__curving(c, next) - *change * (c->arc[i] / 6 + c->arc[next] / 3);
+    }
+    if (!surfmink__sharp(c, next))
+        *change = surfmink__change(c, i);
+    else if (!surfmink__sharp(c, behind))
+        *change = surfmink__change(c, behind);
+    return surfmink__curving(c, i) + *change * (c->arc[i] / 6 + c->arc[behind] / 3);
+}
+
+/* How much geodesic torsion times l_i changes along arc i: a parabola through it and both neighbours; next to a sharp
+   corner one of them. */
+static double surfmink__twisting(const surfmink__arcs *c, size_t i)
+{
+    size_t next = surfmink__after(c, i), behind = surfmink__behind(c, i);
+    int from = !surfmink__sharp(c, i), to = !surfmink__sharp(c, next);
+    double torsion = c->twist[i] / c->arc[i];
+    double before = (c->arc[behind] + c->arc[i]) / 2, after = (c->arc[i] + c->arc[next]) / 2, rise = 0, gain = 0;
+    if (from) rise = (torsion - c->twist[behind] / c->arc[behind]) / before;
+    if (to) gain = (c->twist[next] / c->arc[next] - torsion) / after;
+    if (from && to) return (gain * before + rise * after) / (before + after) * c->arc[i] * c->arc[i];
+    return (rise + gain) * c->arc[i] * c->arc[i];
+}
+
+/* E_i: what the surface between the arc and the edge takes from the turns at both ends. Of a geodesic it is the
+   Gaussian curvature between the two, K_i D_i l_i^2 / 12. */
+static double surfmink__rise(const surfmink__arcs *c, size_t i)
+{
+    double a, w, k = c->curvature ? c->curvature[i] : c->constant;
+    if (!c->bend) return k * c->length[i] * c->length[i] * c->swept[i] / 12;
+    a = c->bend[i];
+    w = c->twist[i];
+    return (a * surfmink__twisting(c, i) + c->swept[i] * (a * a - w * w)) / 12;
+}
+
+/* Order 4: arc lengths and turns of the curve. Between corners its direction goes through the angle D_i = swept, on
+   both sides of a mean that a chord of the surface has but for A_i. Order 2 leaves edges as they are. Returns 0 if an
+   edge is so small beside the outline that its length goes under. */
+static int surfmink__bow(surfmink__arcs *c, int order)
+{
+    surfmink__sum whole = {0, 0}, turned = {0, 0}, total = {0, 0}, rise = {0, 0};
+    double change, before = 0, here, a;
+    size_t i;
+    c->segments = c->lead = 0;
+    for (i = 0; i < c->n; ++i) {
+        c->arc[i] = c->length[i] * c->unit;
+        if (!(c->arc[i] > 0)) return 0;
+        c->turn[i] = c->turning[i];
+        c->swept[i] = 0;
+        surfmink__add(&total, c->turning[i]);
+        if (order == 4) c->turn[i] += surfmink__slant(c, i) - surfmink__slant(c, surfmink__behind(c, i));
+    }
+    for (i = 0; i < c->n && order == 4; ++i) {
+        c->swept[i] = surfmink__curved(c, i, &change) * c->arc[i];
+        if (i == 0) c->lead = change * c->arc[0] * c->arc[0] / 24;
+    }
+    if (order == 4) before = surfmink__rise(c, c->n - 1);
+    for (i = 0; i < c->n && order == 4; ++i) {
+        here = surfmink__rise(c, i);
+        surfmink__add(&rise, here);
+        surfmink__add(&total, -here);
+        c->turn[i] -= (before + here) / 2;
+        before = here;
+        c->segments += c->swept[i] * c->arc[i] * c->arc[i] / 12;
+    }
+    for (i = 0; i < c->n; ++i) {
+        a = c->bend ? c->bend[i] : 0;
+        if (order == 4) c->arc[i] *= 1 + (c->swept[i] * c->swept[i] + a * a) / 24;
+        surfmink__add(&whole, c->arc[i]);
+        surfmink__add(&turned, surfmink__abs(c->turn[i]));
+    }
+    c->whole = surfmink__value(&whole);
+    c->turned = surfmink__value(&turned);
+    c->total = surfmink__value(&total);
+    c->rise = surfmink__value(&rise);
+    return 1;
+}
+
+/* Is the curve one that can be measured? */
+static int surfmink__check_arcs(const surfmink__arcs *c)
+{
+    if (!surfmink__finite(&c->whole, 1) || !surfmink__finite(&c->total, 1)) return SURFMINK_NOT_FINITE;
+    return surfmink__check_turning(c->total, c->turned, c->n);
+}
+
+/* w becomes w z^p. */
+static void surfmink__times_power(double w[2], const double z[2], int p)
+{
+    double x = z[0], y = z[1];
+    for (; p > 0; p /= 2) {
+        if (p % 2) surfmink__multiply(w, w + 1, x, y);
+        surfmink__multiply(&x, &y, x, y);
+    }
+}
+
+/* Adds to `part` what arcs start .. end - 1 contribute to p g_p of the ranks from `first` on. On an arc the phase runs
+   from f - x to f + x, x = pi D / S, and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the
+   imaginary part of exp(i x)^p, which keeps its digits however small x is. */
+static void surfmink__sum_arcs(const surfmink__arcs *c, size_t start, size_t end, int first, int ranks,
+                               surfmink__sum *path, double *part)
+{
+    double period = c->total / (double)c->windings, phase, x, w[2], z[2], u[2], v[2];
+    size_t i;
+    int k;
+    for (i = start; i < end; ++i) {
+        if (i > 0) surfmink__add(path, c->turn[i]);
+        phase = surfmink__phase(surfmink__value(path), period);
+        x = surfmink__pi * (c->swept[i] / period);
+        if (surfmink__abs(x) < 1e-100) x = 1e-100; /* straight: sin(p x) = p x, to the bit or nearly */
+        z[0] = SURFMINK_COS(phase);
+        z[1] = SURFMINK_SIN(phase);
+        u[0] = v[0] = SURFMINK_COS(x);
+        u[1] = v[1] = SURFMINK_SIN(x);
+        w[0] = c->arc[i] / x * z[0];
+        w[1] = c->arc[i] / x * z[1];
+        surfmink__times_power(w, z, first - 1);
+        surfmink__times_power(v, u, first - 1);
+        for (k = 0; k < ranks; ++k) {
+            part[2 * k] += w[0] * v[1];
+            part[2 * k + 1] += w[1] * v[1];
+            surfmink__multiply(w, w + 1, z[0], z[1]);
+            surfmink__multiply(v, v + 1, u[0], u[1]);
+        }
+    }
+}
+
+/* g_p and mu_p of the arcs, 24 ranks at a time; and less[p] becomes less by `share` of mu_p. */
+static void surfmink__ranks_of_arcs(const surfmink__arcs *c, int max_rank, double *mu, double *g, double *less,
+                                    double share)
+{
+    double part[6 * SURFMINK__TILES], re, im, ratio, lead[2], turn[2];
+    surfmink__sum sum[6 * SURFMINK__TILES], path;
+    size_t start, end;
+    int first, ranks, k, p;
+    lead[0] = SURFMINK_COS(surfmink__two_pi * (c->lead / c->total));
+    lead[1] = SURFMINK_SIN(surfmink__two_pi * (c->lead / c->total));
+    for (first = 1; first <= max_rank; first += ranks) {
+        ranks = max_rank - first < 3 * SURFMINK__TILES ? max_rank - first + 1 : 3 * SURFMINK__TILES;
+        path.high = path.low = 0;
+        for (k = 0; k < 2 * ranks; ++k) sum[k].high = sum[k].low = 0;
+        for (start = 0; start < c->n; start = end) {
+            end = c->n - start < SURFMINK__ROWS ? c->n : start + SURFMINK__ROWS;
+            for (k = 0; k < 2 * ranks; ++k) part[k] = 0;
+            surfmink__sum_arcs(c, start, end, first, ranks, &path, part);
+            for (k = 0; k < 2 * ranks; ++k) surfmink__add(sum + k, part[k]);
+        }
+        for (k = 0; k < ranks; ++k) {
+            p = first + k;
+            re = surfmink__value(sum + 2 * (size_t)k) / p;
+            im = surfmink__value(sum + 2 * (size_t)k + 1) / p;
+            ratio = surfmink__ratio(re, im, c->whole);
+            if (mu) mu[p] = ratio;
+            if (less) less[p] -= share * ratio;
+            if (!g) continue;
+            turn[0] = re;
+            turn[1] = im;
+            surfmink__times_power(turn, lead, p);
+            g[2 * (size_t)p] = turn[0] * c->back;
+            g[2 * (size_t)p + 1] = turn[1] * c->back;
+        }
+    }
+}
+
+/* Where the corners of a smooth curve come from. */
+typedef struct surfmink__source {
+    const surfmink__outline *outline; /* plane, sphere, embedded; a surface: edges in scratch */
+    const surfmink_surface *surface;  /* or NULL */
+    int (*curvature_at)(void *context, const double *x, double *curvature); /* or NULL */
+    const double *corner;                                                   /* of a surface */
+    const unsigned char *sharp;
+    double curvature;
+    double unit, back; /* as in surfmink__arcs */
+    size_t n;
+    size_t measured; /* not 0: edges are well; of a surface they are in scratch already */
+} surfmink__source;
+
+/* a_i and w_i of the edge from x to y. Returns 0 if the normals are opposite. */
+static int surfmink__bend(const double x[3], const double y[3], const double x_normal[3], const double y_normal[3],
+                          double *bend, double *twist)
+{
+    double edge[3], e[3], a[3], b[3], d[3], mean[3], n[3], side[3], part;
+    size_t k;
+    surfmink__sub(y, x, 3, edge);
+    surfmink__unit(edge, 3, e);
+    surfmink__unit(x_normal, 3, a);
+    surfmink__unit(y_normal, 3, b);
+    for (k = 0; k < 3; ++k) mean[k] = a[k] + b[k];
+    part = surfmink__dot(mean, e);
+    for (k = 0; k < 3; ++k) mean[k] -= part * e[k];
+    if (!(surfmink__max_abs(mean, 3) > 1e-6)) return 0;
+    surfmink__unit(mean, 3, n);
+    surfmink__sub(b, a, 3, d);
+    surfmink__cross(n, e, side);
+    *bend = -surfmink__dot(d, e);
+    *twist = -surfmink__dot(d, side);
+    return 1;
+}
+
+SURFMINK_DEF int surfmink_bends_embedded(const double *corner, const double *normal, size_t n, double *bend,
+                                         double *twist, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
+    double a, w;
+    size_t i, next, pass;
+    int status = surfmink__check(&o, bad);
+    if (status != SURFMINK_OK) return status;
+    for (pass = 0; pass < 2; ++pass) /* nothing is written before all is known to be well */
+        for (i = 0; i < n; ++i) {
+            next = surfmink__next(&o, i);
+            if (!surfmink__bend(corner + 3 * i, corner + 3 * next, normal + 3 * i, normal + 3 * next, &a, &w))
+                return surfmink__blame(SURFMINK_ZERO_NORMAL, i + 1 < n ? i + 1 : i, bad);
+            if (pass == 0) continue;
+            bend[i] = a;
+            twist[i] = w;
+        }
+    return SURFMINK_OK;
+}
+
+/* Length and bend of the edge from corner at[1] to at[2], and the turn at at[1] on the way from at[0]; of a surface its
+   curvature there. Three corners are an outline, which knows how to check and measure. */
+static int surfmink__measure_between(const surfmink__source *s, const size_t at[3], double *length, double *turning,
+                                     double *bend, double *twist)
+{
+    double corner[9], normal[9];
+    const surfmink__outline *o = s->outline;
+    surfmink__outline three = *o;
+    size_t dim, j, k;
+    int status;
+    if (s->surface) {
+        const double *x = s->corner + at[1] * s->surface->stride;
+        status = SURFMINK_OK;
+        if (!s->measured)
+            status = surfmink__log_corner(s->surface, s->corner + at[0] * s->surface->stride, x,
+                                          s->corner + at[2] * s->surface->stride, length, turning);
+        if (status != SURFMINK_OK || !s->curvature_at) return status;
+        *bend = 0;
+        status = (s->curvature_at)(s->surface->context, x, bend);
+        if (status != SURFMINK_OK) return *surfmink_strerror(status) ? status : SURFMINK_CALLBACK_FAILED;
+        return surfmink__finite(bend, 1) ? SURFMINK_OK : SURFMINK_CALLBACK_FAILED;
+    }
+    dim = (size_t)o->dim;
+    for (j = 0; j < 3; ++j)
+        for (k = 0; k < dim; ++k) {
+            corner[dim * j + k] = o->corner[dim * at[j] + k];
+            if (o->normal) normal[3 * j + k] = o->normal[3 * at[j] + k];
+        }
+    three.corner = corner;
+    three.normal = o->normal ? normal : NULL;
+    three.n = 3;
+    three.radius = 1; /* edges of a sphere as angles */
+    status = s->measured ? SURFMINK_OK : surfmink__check_edge(&three, 1);
+    if (status != SURFMINK_OK) return status;
+    surfmink__measure_corner(&three, 1, length, turning, NULL);
+    if (!o->normal) return SURFMINK_OK;
+    return surfmink__bend(corner + 3, corner + 6, normal + 3, normal + 6, bend, twist) ? SURFMINK_OK
+                                                                                       : SURFMINK_ZERO_NORMAL;
+}
+
+/* The corner after corner i: the next one; or the one after that, but no sharp corner is left out. */
+static size_t surfmink__step(const surfmink__source *s, size_t i, int every_second)
+{
+    size_t next = i + 1 < s->n ? i + 1 : 0;
+    if (!every_second || (s->sharp && s->sharp[next])) return next;
+    return next + 1 < s->n ? next + 1 : 0;
+}
+
+/* Measures a curve, or every second corner of it, from one of them on: once round, twice if that is how one comes back
+   to where one began.
+   scratch  8 n  l alpha, a w or K, h turn D, and which are sharp */
+static int surfmink__trace(const surfmink__source *s, int every_second, size_t start, double *scratch,
+                           surfmink__arcs *c, size_t *bad)
+{
+    double *length = scratch, *turning = scratch + s->n, *bend = scratch + 2 * s->n, *twist = scratch + 3 * s->n,
+           first = 0;
+    unsigned char *sharp = (unsigned char *)(scratch + 7 * s->n);
+    size_t k, at[3];
+    int status;
+    c->n = c->windings = 0;
+    at[0] = at[1] = start;
+    do { /* how many corners, and which one is before the first? */
+        at[0] = at[1];
+        at[1] = surfmink__step(s, at[1], every_second);
+        if (at[1] <= at[0]) ++c->windings;
+        ++c->n;
+    } while (at[1] != start);
+    for (k = 0; k < c->n; ++k) {
+        at[2] = surfmink__step(s, at[1], every_second);
+        status = surfmink__measure_between(s, at, length + k, turning + k, bend + k, twist + k);
+        if (status != SURFMINK_OK)
+            return surfmink__blame(status, s->surface ? at[1] : at[1] + 1 < s->n ? at[1] + 1 : at[1], bad);
+        sharp[k] = s->sharp && s->sharp[at[1]];
+        at[0] = at[1];
+        at[1] = at[2];
+    }
+    if (s->curvature_at) first = bend[0]; /* from corners to the middle of edges */
+    for (k = 0; k < c->n && s->curvature_at; ++k) bend[k] = (bend[k] + (k + 1 < c->n ? bend[k + 1] : first)) / 2;
+    c->length = length;
+    c->turning = turning;
+    c->bend = s->outline->kind == SURFMINK__EMBEDDED ? bend : NULL;
+    c->twist = twist;
+    c->curvature = s->curvature_at ? bend : NULL;
+    c->sharp = s->sharp ? sharp : NULL;
+    c->constant = s->curvature;
+    c->unit = s->unit;
+    c->back = s->back;
+    c->arc = scratch + 4 * s->n;
+    c->turn = scratch + 5 * s->n;
+    c->swept = scratch + 6 * s->n;
+    return SURFMINK_OK;
+}
+
+/* S within a half turn of that of the whole: else every second corner winds otherwise, and tells nothing. */
+static int surfmink__winds_alike(const surfmink__arcs *c, double turning)
+{
+    return surfmink__abs(c->total / (double)c->windings - turning) < surfmink__pi;
+}
+
+/* Estimates of the error. At the start error holds mu_p, and 1 for L; what every second corner makes of them is taken
+   off. If n is even and no corner sharp, the even corners and the odd ones are asked, and their mean is taken. */
+static void surfmink__estimate(const surfmink__source *s, int order, int max_rank, double length, double turning,
+                               double *scratch, double *error)
+{
+    surfmink__arcs c;
+    size_t start = 0, halves = s->n % 2 == 0 ? 2 : 1, half, i;
+    int p, known = s->n >= 5;
+    for (i = 0; i < s->n && s->sharp; ++i)
+        if (s->sharp[i]) {
+            start = i;
+            halves = 1;
+        }
+    for (half = 0; half < halves && known; ++half) {
+        known = surfmink__trace(s, 1, start + half, scratch, &c, NULL) == SURFMINK_OK && surfmink__bow(&c, order) &&
+                surfmink__check_arcs(&c) == SURFMINK_OK && surfmink__winds_alike(&c, turning);
+        if (!known) break;
+        error[0] -= c.whole * c.back / (double)c.windings / length / (double)halves;
+        surfmink__ranks_of_arcs(&c, max_rank, NULL, NULL, error, 1 / (double)halves);
+    }
+    for (p = 0; p <= max_rank; ++p) error[p] = known ? surfmink__abs(error[p]) / (order == 4 ? 15 : 3) : 1;
+}
+
+/* The functionals of the curve from those of the polygon: what lies between the two is added. */
+static surfmink_functionals surfmink__functionals_of(const surfmink__arcs *c, const surfmink__source *s,
+                                                     const surfmink_functionals *polygon)
+{
+    surfmink_functionals w = *polygon;
+    double radius = s->outline->radius;
+    w.length = c->whole * c->back;
+    w.turning = c->total;
+    w.curvature += c->rise;
+    if (s->outline->kind == SURFMINK__PLANE) w.area += c->segments * c->back * c->back;
+    if (s->outline->kind == SURFMINK__SPHERE) w.area = w.curvature * radius * radius;
+    w.condition = c->turned > c->total ? c->turned / c->total : 1;
+    return w;
+}
+
+/* All four steps for arcs of which lengths, turns and bends are known, and the functionals of the polygon. */
+static int surfmink__fourth(surfmink__arcs *c, const surfmink__source *s, int max_rank, double *mu, double *g,
+                            surfmink_functionals *w)
+{
+    surfmink_functionals curve;
+    int status;
+    if (!surfmink__bow(c, 4)) return SURFMINK_NOT_FINITE;
+    c->total = w->turning - c->rise; /* which the polygon knows better than the sum of its turns */
+    if ((status = surfmink__check_arcs(c)) != SURFMINK_OK) return status;
+    curve = surfmink__functionals_of(c, s, w);
+    if (!surfmink__finite(&curve.length, 1) || !surfmink__finite(&curve.area, 1)) return SURFMINK_NOT_FINITE;
+    if (mu) mu[0] = 1;
+    if (g) {
+        g[0] = curve.length;
+        g[1] = 0;
+    }
+    surfmink__ranks_of_arcs(c, max_rank, mu, g, NULL, 0);
+    *w = curve;
+    return SURFMINK_OK;
+}
+
+static int surfmink__measure_curve(surfmink__source *s, int order, int max_rank, double *scratch, double *mu,
+                                   double *error, double *g, surfmink_functionals *w, size_t *bad)
+{
+    const surfmink__outline *o = s->outline;
+    surfmink_functionals total;
+    surfmink__arcs c;
+    double *found = mu ? mu : error;
+    int status = SURFMINK_OK, p;
+    if (max_rank < 0 || (order != 2 && order != 4)) return surfmink__blame(SURFMINK_BAD_ARGUMENT, s->n, bad);
+    if (s->surface) status = surfmink_edges_surface(s->surface, s->corner, s->n, scratch, scratch, scratch + s->n, bad);
+    if (status != SURFMINK_OK) return status;
+    status = order == 2 ? surfmink__measure(o, max_rank, found, g, NULL, &total, bad)
+                        : surfmink__measure(o, 0, NULL, NULL, NULL, &total, bad);
+    if (status != SURFMINK_OK) return status;
+    s->unit = o->kind == SURFMINK__SPHERE ? 1 : surfmink__scale(total.length);
+    s->back = o->kind == SURFMINK__SPHERE ? o->radius : 1 / s->unit;
+    if (order == 4) {
+        s->measured = 1;
+        if ((status = surfmink__trace(s, 0, 0, scratch, &c, bad)) != SURFMINK_OK) return status;
+        s->measured = 0;
+        status = surfmink__fourth(&c, s, max_rank, found, g, &total);
+        if (status != SURFMINK_OK) return surfmink__blame(status, s->n, bad);
+    }
+    for (p = 0; p <= max_rank && mu && error; ++p) error[p] = mu[p];
+    if (error) surfmink__estimate(s, order, max_rank, total.length, total.turning, scratch, error);
+    if (w) *w = total;
+    return SURFMINK_OK;
+}
+
+static surfmink__source surfmink__source_of(const surfmink__outline *o, const unsigned char *sharp)
+{
+    surfmink__source s;
+    s.outline = o;
+    s.surface = NULL;
+    s.curvature_at = NULL;
+    s.corner = o->corner;
+    s.sharp = sharp;
+    s.curvature = o->kind == SURFMINK__SPHERE ? 1 : 0; /* of the unit sphere */
+    s.n = o->n;
+    s.unit = s.back = 0; /* known when L is */
+    s.measured = 0;
+    return s;
+}
+
+SURFMINK_DEF int surfmink_curve_plane(const double *corner, const unsigned char *sharp, size_t n, int order,
+                                      int max_rank, double *scratch, double *mu, double *error, double *g,
+                                      surfmink_functionals *w, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__PLANE, corner, NULL, n);
+    surfmink__source s = surfmink__source_of(&o, sharp);
+    return surfmink__measure_curve(&s, order, max_rank, scratch, mu, error, g, w, bad);
+}
+
+SURFMINK_DEF int surfmink_curve_sphere(const double *corner, const unsigned char *sharp, size_t n, double radius,
+                                       int order, int max_rank, double *scratch, double *mu, double *error, double *g,
+                                       surfmink_functionals *w, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_sphere(corner, n, radius);
+    surfmink__source s = surfmink__source_of(&o, sharp);
+    if (!surfmink__positive(radius)) return surfmink__blame(SURFMINK_BAD_ARGUMENT, n, bad);
+    return surfmink__measure_curve(&s, order, max_rank, scratch, mu, error, g, w, bad);
+}
+
+SURFMINK_DEF int surfmink_curve_embedded(const double *corner, const double *normal, const unsigned char *sharp,
+                                         size_t n, int order, int max_rank, double *scratch, double *mu, double *error,
+                                         double *g, surfmink_functionals *w, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_of(SURFMINK__EMBEDDED, corner, normal, n);
+    surfmink__source s = surfmink__source_of(&o, sharp);
+    return surfmink__measure_curve(&s, order, max_rank, scratch, mu, error, g, w, bad);
+}
+
+SURFMINK_DEF int surfmink_curve_surface(const surfmink_surface *surface, double curvature,
+                                        int (*curvature_at)(void *context, const double *x, double *curvature),
+                                        const double *corner, const unsigned char *sharp, size_t n, int order,
+                                        int max_rank, double *scratch, double *mu, double *error, double *g,
+                                        surfmink_functionals *w, size_t *bad)
+{
+    surfmink__outline o = surfmink__outline_measured(scratch, scratch + n, n);
+    surfmink__source s = surfmink__source_of(&o, sharp);
+    if (!curvature_at && !surfmink__finite(&curvature, 1)) return surfmink__blame(SURFMINK_NOT_FINITE, n, bad);
+    s.surface = surface;
+    s.corner = corner;
+    s.curvature = curvature;
+    s.curvature_at = curvature_at;
+    return surfmink__measure_curve(&s, order, max_rank, scratch, mu, error, g, w, bad);
+}
+
+SURFMINK_DEF int surfmink_curve_edges(const double *length, const double *turning, const double *bend,
+                                      const double *twist, const double *curvature, const unsigned char *sharp,
+                                      size_t n, int max_rank, double *scratch, double *mu, double *g,
+                                      surfmink_functionals *w)
+{
+    surfmink__outline o = surfmink__outline_measured(length, turning, n);
+    surfmink__source s = surfmink__source_of(&o, sharp);
+    surfmink_functionals total;
+    surfmink__arcs c;
+    size_t i;
+    int status = surfmink__measure(&o, 0, NULL, NULL, NULL, &total, NULL);
+    if (status != SURFMINK_OK) return status;
+    if (max_rank < 0 || !bend != !twist) return SURFMINK_BAD_ARGUMENT;
+    for (i = 0; i < n; ++i)
+        if (!(length[i] > 0)) return SURFMINK_COINCIDENT_CORNERS;
+    if ((bend && !surfmink__finite(bend, n)) || (twist && !surfmink__finite(twist, n))) return SURFMINK_NOT_FINITE;
+    if (curvature && !bend && !surfmink__finite(curvature, n)) return SURFMINK_NOT_FINITE;
+    c.length = length;
+    c.turning = turning;
+    c.bend = bend;
+    c.twist = twist;
+    c.curvature = curvature;
+    c.sharp = sharp;
+    c.constant = 0;
+    c.arc = scratch;
+    c.turn = scratch + n;
+    c.swept = scratch + 2 * n;
+    c.unit = surfmink__scale(total.length);
+    c.back = 1 / c.unit;
+    c.n = n;
+    c.windings = 1;
+    status = surfmink__fourth(&c, &s, max_rank, mu, g, &total);
+    if (status == SURFMINK_OK && w) *w = total;
+    return status;
 }
 
 /* --- the sphere as a surface -------------------------------------------------------------------------------------- */

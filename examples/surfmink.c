@@ -132,10 +132,13 @@ static void process_batch(void *context)
 /* --- one file ----------------------------------------------------------------------------------------------------- */
 
 /* Vectors of the plane have two columns, those of space three; a picture shows one kind of surface. */
-static void check_surface(const run *r, int surface, const char *name)
+static void check_surface(const run *r, const reader *in, const char *name)
 {
     const options *o = &r->options;
+    int surface = in->surface;
     int first = r->surface == AS_THE_COLUMNS_SAY;
+    if (o->order == 4 && in->is_mesh && surface == EMBEDDED)
+        die("%s: --order 4 needs exact normals, and those of a mesh are means; --surface tells another surface", name);
     if (o->radius > 0 && surface != SPHERE) die("%s: --radius is for spheres, and this is none", name);
     if (o->views > 0 && surface == PLANE) die("%s: --view is for surfaces in space, and this is a plane", name);
     if (!first && (o->svg || o->ply) && surface != r->surface)
@@ -149,7 +152,7 @@ static void process_file(run *r, const char *name)
     reader in;
     r->name = name;
     open_reader(&in, name, &r->powers, &r->options);
-    check_surface(r, in.surface, name);
+    check_surface(r, &in, name);
     if (r->surface == AS_THE_COLUMNS_SAY && !r->options.json)
         write_row(stdout, &r->options, &r->powers, NAMES, in.surface, "", NULL);
     r->surface = in.surface;

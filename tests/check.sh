@@ -336,6 +336,8 @@ check "worst errors of the kernels against quadruple precision" "
 check "worst errors against quadruple precision" "
     gcc -O2 -I. tests/accuracy/accuracy.c -o $here/accuracy -lquadmath -lm &&
     $(quietly "$here/accuracy --polygons 1000")"
+check "worst errors of smooth curves against quadruple precision" "
+    gcc -O2 -I. tests/accuracy/curve.c -o $here/curve -lquadmath -lm && $(quietly "$here/curve 20")"
 
 # --- the commands under sanitizers ------------------------------------------------------------------------------------
 gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I."

@@ -361,4 +361,54 @@ static inline void flower_at(const flower_ruler *ruler, double fraction, double 
     flower_point(&ruler->curve, t, x, normal, NULL);
 }
 
+/* --- smooth curves by chance -------------------------------------------------------------------------------------- */
+
+/* r(t) round a point of the plane or of a chart: four harmonics, and t uneven. */
+typedef struct wobble {
+    int plane;
+    chart surface;
+    double u, v, size, cosine[5], sine[5], skew, start;
+} wobble;
+
+enum { IN_THE_PLANE, ON_A_SPHERE, ON_AN_ELLIPSOID, ON_A_TORUS, WHERE };
+
+static inline wobble some_wobble(chance *c, int where)
+{
+    wobble w;
+    int k;
+    memset(&w, 0, sizeof w);
+    w.plane = where == IN_THE_PLANE;
+    w.surface.kind = where == ON_A_TORUS ? TORUS : ELLIPSOID;
+    w.surface.a = where == ON_A_TORUS ? 2 : where == ON_AN_ELLIPSOID ? 1.6 : 1;
+    w.surface.b = where == ON_A_TORUS ? 0.8 : where == ON_AN_ELLIPSOID ? 1.3 : 1;
+    w.surface.c = 1;
+    w.u = where == ON_A_TORUS ? between(c, 0, 2 * PI) : 1.5;
+    w.v = where == ON_A_TORUS ? between(c, 0, 2 * PI) : 0.7;
+    w.size = between(c, 0.2, 0.6);
+    for (k = 1; k <= 4; ++k) {
+        w.cosine[k] = between(c, -0.12, 0.12) / k;
+        w.sine[k] = between(c, -0.12, 0.12) / k;
+    }
+    w.skew = between(c, -0.4, 0.4);
+    w.start = between(c, 0, 2 * PI);
+    return w;
+}
+
+/* n points of it, and the normals there unless it lies in the plane. */
+static inline void wobble_points(const wobble *w, size_t n, double *corner, double *normal)
+{
+    size_t i;
+    int k;
+    for (i = 0; i < n; ++i) {
+        double s = 2 * PI * (double)i / (double)n, t = s + w->skew * sin(s + w->start), r = w->size, x, y;
+        for (k = 1; k <= 4; ++k) r += w->size * (w->cosine[k] * cos(k * t) + w->sine[k] * sin(k * t));
+        x = r * cos(t);
+        y = r * sin(t);
+        if (w->plane)
+            corner[2 * i] = x, corner[2 * i + 1] = y;
+        else
+            chart_point(&w->surface, w->u + x, w->v + y, corner + 3 * i, normal + 3 * i, NULL, NULL);
+    }
+}
+
 #endif

@@ -548,7 +548,7 @@ awk 'NR == 1 { names = $0; next }
      { print > file }' in
 for surface in plane sphere embedded; do
     for options in "--max-rank 12" "--reverse auto --directions" \
-        "--reverse auto --merge --smooth 1 --transport parallel --json"; do
+        "--reverse auto --merge --smooth 1 --transport parallel --json" "--order 4 --error --sharp 40"; do
         run --surface $surface $options in
         check "$surface $options, together as alone" "$status $(cat out)" \
             "2 $("$surfmink" --surface $surface $options alone.* 2> err)"
@@ -831,14 +831,98 @@ check "with four strokes each" "$(grep stroke-linecap a.svg | tr -cd 'L\n' | tr 
 run cube.off --svg a.svg --view 0,0,1
 check "one face of a cube" "$(seen)" "1 "
 
+# --- smooth curves ----------------------------------------------------------------------------------------------------
+
+# ellipse N: x = 3 cos t, y = 2 sin t at uneven t. (At even ones mu of the polygon happens to be that of the curve.)
+ellipse() {
+    awk -v n="$1" 'BEGIN { print "x y"; for (i = 0; i < n; ++i) {
+        t = 8 * atan2(1, 1) * i / n; t += 0.3 * sin(t + 1); printf "%.17g %.17g\n", 3 * cos(t), 2 * sin(t) } }'
+}
+length=$(awk 'BEGIN { for (i = 0; i < 1000; ++i) { t = 8 * atan2(1, 1) * i / 1000
+    sum += sqrt(9 * sin(t) * sin(t) + 4 * cos(t) * cos(t)) }
+    printf "%.17g", sum * 8 * atan2(1, 1) / 1000 }')
+ellipse 200 > in
+run --error
+check "estimates: exit status" "$status $(cat err)" "0 "
+check "estimates: columns" "$(head -n 1 out | cut -f 12-20 | tr '\t' ' ')" \
+    "mu_6 error_L error_1 error_2 error_3 error_4 error_5 error_6 theta_1"
+near "order 2: the estimate is the error of L" "$(field 1 error_L)" \
+    "$(awk -v want="$length" -v got="$(field 1 L)" 'BEGIN { print 1 - got / want }')" 1e-7
+rough=$(field 1 mu_2)
+run
+near "order 2: what is measured is the polygon" "$(field 1 mu_2)" "$rough" 1e-15
+run --order 4 --error
+near "order 4: L" "$(field 1 L)" "$length" 1e-7
+near "order 4: the estimate is the error of L" "$(field 1 error_L)" \
+    "$(awk -v want="$length" -v got="$(field 1 L)" 'BEGIN { print got / want - 1 }')" 1e-10
+near "order 4: area" "$(field 1 area)" "$(awk 'BEGIN { printf "%.17g", 24 * atan2(1, 1) }')" 1e-6
+found=$(field 1 mu_2)
+error=$(field 1 error_2)
+ellipse 4096 > in
+run --order 4
+near "order 4: mu_2 within three times its estimate" "$found" "$(field 1 mu_2)" \
+    "$(awk -v e="$error" 'BEGIN { print 3 * e }')"
+check "order 4 is the nearer one" "$(awk -v a="$rough" -v b="$found" -v c="$(field 1 mu_2)" \
+    'BEGIN { print ((a - c) * (a - c) > 50 * (b - c) * (b - c)) }')" 1
+run --order 2
+check "order 2 is the default" "$(cat out)" "$(run; cat out)"
+ellipse 4 > in
+run --error --max-rank 2
+check "four corners say nothing" "$(field 1 error_L) $(field 1 error_1) $(field 1 error_2)" "1 1 1"
+run --error --max-rank 2 --json
+has "estimates in JSON" out '"error_L":1,"error_1":1,"error_2":1,"theta_1"'
+run --error --max-rank 2 --summary --quiet
+has "the largest estimates in the summary" err "75% max error"
+check "of mu_2" "$(awk '$1 == "mu_2" { print $7 }' err)" 1.000000
+
+# A square with many corners on each side: its corners count if they are told.
+awk 'BEGIN { print "x y"; n = 10; for (i = 0; i < 4 * n; ++i) { s = int(i / n); t = (i % n) / n
+    print (s == 0 ? t : s == 1 ? 1 : s == 2 ? 1 - t : 0), (s == 0 ? 0 : s == 1 ? t : s == 2 ? 1 : 1 - t) } }' > in
+run --order 4
+check "order 4 rounds corners off" "$(awk -v mu="$(field 1 mu_4)" 'BEGIN { print (mu < 0.95) }')" 1
+run --order 4 --error --sharp 45
+near "unless they are sharp" "$(field 1 mu_4)" 1
+near "and then knows it" "$(field 1 error_4)" 0
+run --order 4 --sharp 95
+check "90 degrees are less than 95" "$(awk -v mu="$(field 1 mu_4)" 'BEGIN { print (mu < 0.95) }')" 1
+
+# The same circle on a sphere of radius 2 by great circles and by chords with normals, once clockwise.
+awk 'BEGIN { print "x y z nx ny nz"; for (i = 0; i < 48; ++i) { t = 8 * atan2(1, 1) * i / 48
+    x = sin(1) * cos(t); y = sin(1) * sin(t); z = cos(1)
+    printf "%.17g %.17g %.17g %.17g %.17g %.17g\n", 2 * x, 2 * y, 2 * z, x, y, z } }' > in
+exact=$(awk 'BEGIN { printf "%.17g", 16 * atan2(1, 1) * sin(1) }')
+run --order 4
+near "a circle on a sphere by chords" "$(field 1 L)" "$exact" 1e-4
+run --order 4 --surface sphere --radius 2
+near "by great circles" "$(field 1 L)" "$exact" 1e-4
+near "its area" "$(field 1 area)" "$(awk 'BEGIN { printf "%.17g", 32 * atan2(1, 1) * (1 - cos(1)) }')" 1e-3
+run --order 4 --reverse always
+refused "order 4: clockwise" clockwise 2
+run --order 4 --reverse always --surface plane --error
+refused "order 4: clockwise in the plane" clockwise 2
+awk 'NR == 1 { print; next } { line[NR] = $0 } END { for (i = NR; i > 1; --i) print line[i] }' in > turned
+mv turned in
+run --order 4 --reverse auto
+near "turned round" "$(field 1 L)" "$exact" 1e-4
+sed '4s/.*/nan 0 0 0 0 1/' in > bad
+mv bad in
+run --order 4 --error
+check "order 4: a corner that is none" "$(field 1 status) $(grep -c ':4: ' err)" "not_finite 1"
+run cube.off --order 4
+stopped "order 4 of a mesh" "cube.off: --order 4 needs exact normals"
+run cube.off --order 4 --surface sphere
+check "order 4 of a mesh on a sphere" "$(column status)" "$(run cube.off --surface sphere; column status)"
+run cube.off --error
+check "estimates of a mesh" "$(field 1 error_4)" 1
+
 # --- usage ------------------------------------------------------------------------------------------------------------
 
 : > in
 run --help
 check "help: exit status" "$status" 0
 check "help leads with examples" "$(sed -n 3p out)" EXAMPLES
-for option in surface radius max-rank transport smooth reverse merge digits directions json svg color-by view \
-    histogram scatter ply title unit summary quiet help version; do
+for option in surface radius max-rank transport order error sharp smooth reverse merge digits directions json svg \
+    color-by view histogram scatter ply title unit summary quiet help version; do
     has "help explains --$option" out "  --$option"
 done
 run --version
@@ -859,6 +943,12 @@ wrong "unknown option '--rad'" --rad 1
 wrong "--surface is plane, sphere or embedded, not 'cone'" --surface cone
 wrong "--transport is corrected or parallel, not 'none'" --transport=none
 wrong "--reverse is auto, always or never, not ''" --reverse=
+wrong "--order is 2 or 4, not '3'" --order 3
+wrong "--sharp is an angle between 0 and 180 degrees, not '180'" --order 4 --sharp 180
+wrong "--sharp is an angle between 0 and 180 degrees, not 'x'" --order 4 --sharp x
+wrong "--sharp is for --order 4 and --error" --sharp 30
+wrong "--transport parallel has neither --order 4 nor --error" --transport parallel --order 4
+wrong "--transport parallel has neither --order 4 nor --error" --transport parallel --error
 wrong "--radius needs a value" --radius
 wrong "--radius is a positive number, not '0'" --radius 0
 wrong "--radius is a positive number, not 'nan'" --radius nan

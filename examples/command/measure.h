@@ -13,6 +13,7 @@ typedef struct measure {
     double length, turning, area;
     const double *mu;    /* P + 1 */
     const double *theta; /* P + 1 */
+    const double *error; /* P + 1, that of L first; NULL: not asked for */
     double frame[9];     /* nu, tau (, normal) at the middle of edge 0 */
     int has_frame;
     double centre[3], normal[3]; /* of the outline; in the plane centre[2] = 0 and the normal points up */
@@ -37,6 +38,9 @@ typedef struct measures {
     edges edges;
     double *phase, *direction, *coherence;
     size_t phase_room;
+    double *error;        /* P + 1 a polygon; curves only */
+    unsigned char *sharp; /* of one polygon's corners; curves only */
+    size_t sharp_room;
 } measures;
 
 static void begin_measures(measures *m, int max_rank)
@@ -58,6 +62,7 @@ static void make_room(measures *m, size_t count, int max_rank)
     m->of.area = (double *)resize(m->of.area, count, sizeof *m->of.area);
     m->of.mu = (double *)resize(m->of.mu, count, ranks * sizeof *m->of.mu);
     m->of.theta = (double *)resize(m->of.theta, count, ranks * sizeof *m->of.theta);
+    m->error = (double *)resize(m->error, count, ranks * sizeof *m->error);
     m->room = count;
 }
 
@@ -78,6 +83,8 @@ static void end_measures(measures *m)
     free(m->of.theta);
     free(m->scratch);
     free(m->g);
+    free(m->error);
+    free(m->sharp);
     free_edges(&m->edges);
     free(m->phase);
     free(m->direction);
@@ -89,6 +96,64 @@ static void end_measures(measures *m)
 static double radius_of(const options *o)
 {
     return o->radius > 0 ? o->radius : 1;
+}
+
+static void measure_edges(edges *e, const polygon *p, double radius)
+{
+    e->length = (double *)grow(e->length, &e->length_room, p->n, sizeof *e->length);
+    e->turning = (double *)grow(e->turning, &e->turning_room, p->n, sizeof *e->turning);
+    switch (p->surface) {
+    case PLANE: surfmink_edges_plane(p->corner, p->n, e->length, e->turning, NULL); break;
+    case SPHERE: surfmink_edges_sphere(p->corner, p->n, radius, e->length, e->turning, NULL); break;
+    default: surfmink_edges_embedded(p->corner, p->normal, p->n, e->length, e->turning, NULL); break;
+    }
+}
+
+/* --order 4 and --error measure curves, one by one. */
+static int measures_curves(const options *o)
+{
+    return o->order == 4 || o->error;
+}
+
+/* Which corners are sharp, for --sharp; NULL without it. Of an outline that is refused it does not matter. */
+static const unsigned char *find_sharp(measures *m, const polygon *p, const options *o)
+{
+    size_t i;
+    if (!(o->sharp > 0) || p->n < 3) return NULL;
+    m->sharp = (unsigned char *)grow(m->sharp, &m->sharp_room, p->n, 1);
+    m->edges.turning = (double *)grow(m->edges.turning, &m->edges.turning_room, p->n, sizeof *m->edges.turning);
+    for (i = 0; i < p->n; ++i) m->edges.turning[i] = 0;
+    measure_edges(&m->edges, p, radius_of(o));
+    for (i = 0; i < p->n; ++i) m->sharp[i] = fabs(m->edges.turning[i]) * 57.295779513082323 > o->sharp;
+    return m->sharp;
+}
+
+static void measure_curve(measures *m, const polygon *p, size_t i, const options *o)
+{
+    size_t ranks = (size_t)o->max_rank + 1;
+    const unsigned char *sharp = find_sharp(m, p, o);
+    double *mu = m->of.mu + i * ranks, *error = o->error ? m->error + i * ranks : NULL;
+    surfmink_functionals w = {0, 0, 0, 0, 0};
+    int status;
+    m->scratch = (double *)grow(m->scratch, &m->scratch_room, 8 * p->n, sizeof *m->scratch);
+    switch (p->surface) {
+    case PLANE:
+        status = surfmink_curve_plane(p->corner, sharp, p->n, o->order, o->max_rank, m->scratch, mu, error, m->g, &w,
+                                      m->of.bad + i);
+        break;
+    case SPHERE:
+        status = surfmink_curve_sphere(p->corner, sharp, p->n, radius_of(o), o->order, o->max_rank, m->scratch, mu,
+                                       error, m->g, &w, m->of.bad + i);
+        break;
+    default:
+        status = surfmink_curve_embedded(p->corner, p->normal, sharp, p->n, o->order, o->max_rank, m->scratch, mu,
+                                         error, m->g, &w, m->of.bad + i);
+    }
+    if (status == SURFMINK_OK) status = surfmink_spectrum(m->g, o->max_rank, NULL, NULL, m->of.theta + i * ranks);
+    m->of.status[i] = status;
+    m->of.length[i] = w.length;
+    m->of.turning[i] = w.turning;
+    m->of.area[i] = w.area;
 }
 
 /* The polygons from `first` to before `end`, as they now are. */
@@ -103,7 +168,9 @@ static void measure_range(measures *m, const batch *b, size_t first, size_t end,
     r.area += first;
     r.mu = o->transport == SURFMINK_PARALLEL ? NULL : r.mu + first * ranks;
     r.theta = o->transport == SURFMINK_PARALLEL ? NULL : r.theta + first * ranks;
-    switch (b->polygon[first].surface) {
+    for (i = first; i < end && measures_curves(o); ++i) measure_curve(m, &b->polygon[i], i, o);
+    switch (measures_curves(o) ? -1 : b->polygon[first].surface) {
+    case -1: break;
     case PLANE: surfmink_batch_plane(b->corner, b->offset + first, count, o->max_rank, &r, m->scratch); break;
     case SPHERE:
         surfmink_batch_sphere(b->corner, b->offset + first, count, radius_of(o), o->max_rank, &r, m->scratch);
@@ -122,17 +189,6 @@ static void measure_reversed(measures *m, batch *b, const options *o)
         for (end = first; end < b->count && m->of.status[end] == SURFMINK_CLOCKWISE; ++end)
             reverse_corners(&b->polygon[end]);
         if (end > first) measure_range(m, b, first, end, o);
-    }
-}
-
-static void measure_edges(edges *e, const polygon *p, double radius)
-{
-    e->length = (double *)grow(e->length, &e->length_room, p->n, sizeof *e->length);
-    e->turning = (double *)grow(e->turning, &e->turning_room, p->n, sizeof *e->turning);
-    switch (p->surface) {
-    case PLANE: surfmink_edges_plane(p->corner, p->n, e->length, e->turning, NULL); break;
-    case SPHERE: surfmink_edges_sphere(p->corner, p->n, radius, e->length, e->turning, NULL); break;
-    default: surfmink_edges_embedded(p->corner, p->normal, p->n, e->length, e->turning, NULL); break;
     }
 }
 
@@ -249,6 +305,7 @@ static measure measure_of(measures *m, const batch *b, size_t i, const options *
     one.area = m->of.area[i];
     one.mu = m->of.mu + i * ranks;
     one.theta = m->of.theta + i * ranks;
+    one.error = o->error ? m->error + i * ranks : NULL;
     one.has_frame = one.status == SURFMINK_OK && o->directions && find_frame(p, one.frame) == SURFMINK_OK;
     one.direction = m->direction;
     one.coherence = m->coherence;

@@ -26,6 +26,9 @@ typedef struct options {
     double radius; /* 0: not given, 1 then */
     int max_rank;  /* P >= 1 */
     int transport; /* of enum surfmink_transport */
+    int order;     /* 2, or 4: the smooth curve through the corners */
+    int error;     /* estimates how far off it */
+    double sharp;  /* degrees: corners that turn by more are corners of the curve; 0: not given */
     size_t smooth; /* passes */
     int reverse;   /* of enum reverse */
     int merge;
@@ -102,6 +105,13 @@ static const char *const help_text[] = {
     "  --radius R             of the sphere, default 1\n"
     "  --max-rank P           largest p, default 6\n"
     "  --transport corrected|parallel    parallel: the classical one to the middle of the first edge, for comparison\n"
+    "  --order 2|4            4: measures the smooth curve on which the corners lie, at fourth order. Corners and\n"
+    "                         normals are to be exact, and 20 or so to each bend; shapes with corners want 2, the\n"
+    "                         default, or --sharp. Not for meshes, whose normals are means\n"
+    "  --error                adds columns error_L error_1 ... error_P after mu: estimates of how far L (relative) "
+    "and\n"
+    "                         mu_p are off the smooth curve, from every second corner; 1 if nothing can be said\n"
+    "  --sharp DEGREES        corners that turn by more are corners of the curve: for --order 4 and --error\n"
     "  --smooth K             first K passes of the 3-point mean, against the staircases of pixels\n"
     "  --reverse auto|always|never       turn clockwise, all or (default) no outlines round\n"
     "  --merge                drop corners that coincide with the one before, instead of refusing the polygon\n"
@@ -172,6 +182,15 @@ static int parse_between(const char *name, const char *value, size_t least, size
         usage_error("--%s is a whole number from %lu to %lu, not '%s'", name, (unsigned long)least, (unsigned long)most,
                     value);
     return (int)number;
+}
+
+/* Half a turn is the most there is. */
+static double parse_sharp(const char *value)
+{
+    double degrees;
+    if (!parse_number(NULL, value, &degrees) || !(degrees > 0 && degrees < 180))
+        usage_error("--sharp is an angle between 0 and 180 degrees, not '%s'", value);
+    return degrees;
 }
 
 static double parse_radius(const char *value)
@@ -245,6 +264,8 @@ enum option {
     OPTION_RADIUS,
     OPTION_MAX_RANK,
     OPTION_TRANSPORT,
+    OPTION_ORDER,
+    OPTION_SHARP,
     OPTION_SMOOTH,
     OPTION_REVERSE,
     OPTION_DIGITS,
@@ -258,6 +279,7 @@ enum option {
     OPTION_UNIT,
     OPTION_DIRECTIONS, /* with or without a value */
     OPTION_MERGE,      /* from here on without one */
+    OPTION_ERROR,
     OPTION_JSON,
     OPTION_SUMMARY,
     OPTION_QUIET,
@@ -267,15 +289,16 @@ enum option {
 };
 
 /* In this order. */
-static const char *const option_name[OPTIONS] = {"surface", "radius", "max-rank",  "transport",  "smooth", "reverse",
-                                                 "digits",  "svg",    "histogram", "scatter",    "ply",    "color-by",
-                                                 "view",    "title",  "unit",      "directions", "merge",  "json",
-                                                 "summary", "quiet",  "help",      "version"};
+static const char *const option_name[OPTIONS] = {
+    "surface", "radius",    "max-rank", "transport", "order",    "sharp", "smooth", "reverse", "digits",
+    "svg",     "histogram", "scatter",  "ply",       "color-by", "view",  "title",  "unit",    "directions",
+    "merge",   "error",     "json",     "summary",   "quiet",    "help",  "version"};
 
 static void set_option(options *o, int option, const char *value)
 {
     static const char *const surfaces[] = {"plane", "sphere", "embedded"};
     static const char *const transports[] = {"corrected", "parallel"};
+    static const char *const orders[] = {"2", "4"};
     static const char *const reversals[] = {"auto", "always", "never"};
     static const char *const places[] = {"edge", "center", "centre"};
     static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
@@ -285,6 +308,9 @@ static void set_option(options *o, int option, const char *value)
     case OPTION_RADIUS: o->radius = parse_radius(value); break;
     case OPTION_MAX_RANK: o->max_rank = parse_between(name, value, 1, 1000000); break;
     case OPTION_TRANSPORT: o->transport = parse_choice(name, value, transports, 2); break;
+    case OPTION_ORDER: o->order = parse_choice(name, value, orders, 2) ? 4 : 2; break;
+    case OPTION_SHARP: o->sharp = parse_sharp(value); break;
+    case OPTION_ERROR: o->error = 1; break;
     case OPTION_SMOOTH: o->smooth = (size_t)parse_between(name, value, 0, 1000000); break;
     case OPTION_REVERSE: o->reverse = parse_choice(name, value, reversals, 3); break;
     case OPTION_DIGITS: o->digits = parse_between(name, value, 1, 17); break;
@@ -379,6 +405,9 @@ static void check_options(options *o)
         usage_error("--scatter needs two ranks, as --color-by mu_2,mu_6");
     if (o->svg && o->views * o->colors > MOST_COLORS)
         usage_error("--svg draws %d panels at most: fewer --view, or fewer ranks", MOST_COLORS);
+    if (o->transport == SURFMINK_PARALLEL && (o->order == 4 || o->error))
+        usage_error("--transport parallel has neither --order 4 nor --error");
+    if (o->sharp > 0 && o->order == 2 && !o->error) usage_error("--sharp is for --order 4 and --error");
 }
 
 static void parse_options(options *o, int argc, char **argv)
@@ -389,6 +418,7 @@ static void parse_options(options *o, int argc, char **argv)
     o->surface = AS_THE_COLUMNS_SAY;
     o->max_rank = 6;
     o->transport = SURFMINK_CORRECTED;
+    o->order = 2;
     o->reverse = REVERSE_NEVER;
     o->digits = 17;
     o->file = (const char **)resize(NULL, (size_t)argc + 1, sizeof *o->file);

@@ -5,7 +5,9 @@
 #include "measure.h"
 
 typedef struct summary {
-    double *mu; /* P a measured polygon */
+    double *mu;    /* P a measured polygon */
+    double *worst; /* P + 1: largest estimates of errors */
+    int errors;    /* are there any? */
     size_t room;
     size_t measured, refused;
     size_t *dominant; /* P + 1: how many outlines have this dominant rank */
@@ -16,12 +18,15 @@ static void begin_summary(summary *s, int max_rank)
     int p;
     memset(s, 0, sizeof *s);
     s->dominant = (size_t *)resize(NULL, (size_t)max_rank + 1, sizeof *s->dominant);
+    s->worst = (double *)resize(NULL, (size_t)max_rank + 1, sizeof *s->worst);
     for (p = 0; p <= max_rank; ++p) s->dominant[p] = 0;
+    for (p = 0; p <= max_rank; ++p) s->worst[p] = 0;
 }
 
 static void end_summary(summary *s)
 {
     free(s->mu);
+    free(s->worst);
     free(s->dominant);
 }
 
@@ -37,6 +42,7 @@ static int dominant_rank(const double *mu, int max_rank)
 static void add_to_summary(summary *s, const measure *m, int max_rank)
 {
     size_t ranks = (size_t)max_rank;
+    int p;
     if (m->status != SURFMINK_OK) {
         ++s->refused;
         return;
@@ -44,6 +50,9 @@ static void add_to_summary(summary *s, const measure *m, int max_rank)
     s->mu = (double *)grow(s->mu, &s->room, (s->measured + 1) * ranks, sizeof *s->mu);
     memcpy(s->mu + s->measured * ranks, m->mu + 1, ranks * sizeof *s->mu);
     ++s->measured;
+    for (p = 0; p <= max_rank && m->error; ++p)
+        if (m->error[p] > s->worst[p]) s->worst[p] = m->error[p];
+    if (m->error) s->errors = 1;
     if (max_rank >= 2) ++s->dominant[dominant_rank(m->mu, max_rank)];
 }
 
@@ -82,6 +91,7 @@ static void summarize_rank(const summary *s, int p, int max_rank, double *values
     else
         fputs("         -", stderr); /* one value does not spread */
     for (i = 1; i <= 3; ++i) put_column(quantile(values, n, 0.25 * (double)i));
+    if (s->errors) put_column(s->worst[p]);
     fputc('\n', stderr);
 }
 
@@ -91,7 +101,8 @@ static void write_summary(const summary *s, int max_rank)
     int p;
     fprintf(stderr, "%lu measured, %lu refused\n", (unsigned long)s->measured, (unsigned long)s->refused);
     if (s->measured == 0) return;
-    fputs("              mean        sd       25%       50%       75%\n", stderr);
+    fputs("              mean        sd       25%       50%       75%", stderr);
+    fputs(s->errors ? " max error\n" : "\n", stderr);
     values = (double *)resize(NULL, s->measured, sizeof *values);
     for (p = 1; p <= max_rank; ++p) summarize_rank(s, p, max_rank, values);
     free(values);

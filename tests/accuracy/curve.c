@@ -1,0 +1,351 @@
+/* curve.c - smooth curves against quadruple precision, and how well their errors are estimated.
+
+     gcc -O2 -I. tests/accuracy/curve.c -o curve -lquadmath -lm
+     ./curve 400                                            so many curves of each kind; exit status 1 above a limit
+
+   The first table: worst rounding errors of order 4. The reference below is the scheme of docs/beyond.md, written once
+   more, from its formulas: turns as differences of angles in a frame of the tangent plane, geodesic curvature on the
+   line through two points, every sin(x) / x by itself. Corners are doubles and taken as exact.
+
+   The second table: how far curves are off their estimates. The truth is order 4 with 2048 corners. */
+#define SURFMINK_STATIC
+#include "surfmink.h"
+
+#if !defined(__SIZEOF_FLOAT128__) || (defined(__has_include) && !__has_include(<quadmath.h>))
+#error "curve.c needs quadruple precision: gcc with libquadmath, for instance on x86-64 or ppc64le"
+#endif
+#include <quadmath.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "../shapes.h"
+
+typedef __float128 quad;
+
+enum { P = 12, FINEST = 2048 };
+enum { LENGTH, TURNING, MU, ANGLE, AREA, QUANTITIES };
+
+/* As surfmink.h promises of polygons, times two: the arcs are known from more numbers that are rounded. */
+static const struct {
+    const char *name, *meaning;
+    double limit;
+} quantity[QUANTITIES] = {
+    {"L", "relative", 2e-15},
+    {"S", "relative, against c", 4e-15},
+    {"mu", "p <= 12, against 1 + c", 2e-14},
+    {"angle", "mu_p |p theta_p - reference|, p <= 12, against 1 + c", 2e-14},
+    {"area", "relative", 4e-15},
+};
+
+/* --- the reference ------------------------------------------------------------------------------------------------ */
+
+static quad dot(const quad a[3], const quad b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const quad a[3], const quad b[3], quad c[3])
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static void unit(quad a[3])
+{
+    quad norm = sqrtq(dot(a, a));
+    int k;
+    for (k = 0; k < 3; ++k) a[k] /= norm;
+}
+
+/* The direction of a vector in the plane orthogonal to n, as an angle from a fixed axis. */
+static quad direction(const quad n[3], const quad v[3])
+{
+    quad axis[3] = {0, 0, 0}, e1[3], e2[3];
+    int k, least = 0;
+    for (k = 1; k < 3; ++k)
+        if (fabsq(n[k]) < fabsq(n[least])) least = k;
+    axis[least] = 1;
+    cross(axis, n, e1);
+    unit(e1);
+    cross(n, e1, e2);
+    return atan2q(dot(v, e2), dot(v, e1));
+}
+
+/* What is known of a curve, and what comes out. */
+typedef struct arcs {
+    size_t n;
+    int chords; /* else geodesics of curvature k */
+    quad k, l[FINEST], alpha[FINEST], a[FINEST], w[FINEST];
+    const unsigned char *sharp;
+    quad length, turning, turned, area, g[2 * P + 2];
+} arcs;
+
+static void measure(const quad *x, const quad *normal, arcs *c)
+{
+    size_t i, k, n = c->n;
+    for (i = 0; i < n; ++i) {
+        const quad *here = x + 3 * i, *next = x + 3 * ((i + 1) % n), *before = x + 3 * ((i + n - 1) % n);
+        const quad *m = normal + 3 * i, *m_next = normal + 3 * ((i + 1) % n);
+        quad e[3], in[3], b[3], mean[3], d[3], along;
+        for (k = 0; k < 3; ++k) {
+            e[k] = next[k] - here[k];
+            in[k] = here[k] - before[k];
+        }
+        c->alpha[i] = direction(m, e) - direction(m, in);
+        c->alpha[i] -= 2 * M_PIq * roundq(c->alpha[i] / (2 * M_PIq));
+        c->l[i] = sqrtq(dot(e, e));
+        if (!c->chords && c->k > 0) c->l[i] = 2 * asinq(c->l[i] / 2);
+        unit(e);
+        along = dot(m, e) + dot(m_next, e);
+        for (k = 0; k < 3; ++k) {
+            mean[k] = m[k] + m_next[k] - along * e[k];
+            d[k] = m_next[k] - m[k];
+        }
+        unit(mean);
+        cross(mean, e, b);
+        c->a[i] = c->chords ? -dot(d, e) : 0;
+        c->w[i] = c->chords ? -dot(d, b) : 0;
+    }
+}
+
+/* Where kv of corner j lies on the line on which x_i is 0, and its value. */
+static quad place(const arcs *c, size_t i, ptrdiff_t steps, quad *kv)
+{
+    size_t n = c->n, j = (i + n + (size_t)steps) % n, b = (j + n - 1) % n, k;
+    quad at = (c->l[j] - c->l[b]) / 3;
+    for (k = 0; steps > 0 && k < (size_t)steps; ++k) at += c->l[(i + k) % n];
+    for (k = 0; steps < 0 && k < (size_t)-steps; ++k) at -= c->l[(i + n - 1 - k) % n];
+    *kv = 2 * (c->alpha[j] + (c->a[j] * c->w[j] - c->a[b] * c->w[b]) / 6) / (c->l[b] + c->l[j]);
+    return at;
+}
+
+static int sharp(const arcs *c, size_t i, ptrdiff_t steps)
+{
+    return c->sharp && c->sharp[(i + c->n + (size_t)steps) % c->n];
+}
+
+/* Geodesic curvature in the middle of edge i, and its slope: the line through kv of two corners of the arc. */
+static quad curvature(const arcs *c, size_t i, quad *slope)
+{
+    ptrdiff_t from = 0, to = 1;
+    quad one, two, at_one, at_two;
+    *slope = 0;
+    if (sharp(c, i, 0) && sharp(c, i, 1)) return 0;
+    if (sharp(c, i, 0)) from = 1, to = sharp(c, i, 2) ? 1 : 2;
+    if (sharp(c, i, 1)) to = 0, from = sharp(c, i, -1) ? 0 : -1;
+    at_one = place(c, i, from, &one);
+    at_two = place(c, i, to, &two);
+    if (from == to) return one;
+    *slope = (two - one) / (at_two - at_one);
+    return one + *slope * (c->l[i] / 2 - at_one);
+}
+
+static quad torsion_change(const arcs *c, size_t i)
+{
+    size_t n = c->n, b = (i + n - 1) % n, f = (i + 1) % n;
+    quad c0 = (c->l[b] + c->l[i]) / 2, c1 = (c->l[i] + c->l[f]) / 2, t = c->w[i] / c->l[i];
+    quad down = (t - c->w[b] / c->l[b]) / c0, up = (c->w[f] / c->l[f] - t) / c1;
+    if (sharp(c, i, 0) && sharp(c, i, 1)) return 0;
+    if (sharp(c, i, 0)) return up;
+    if (sharp(c, i, 1)) return down;
+    return (up * c0 + down * c1) / (c0 + c1);
+}
+
+static void fourth(arcs *c)
+{
+    static quad swept[FINEST], e[FINEST], turn[FINEST];
+    quad slope, lead = 0, phase = 0;
+    size_t n = c->n, i, b;
+    int p;
+    c->length = c->turning = c->turned = c->area = 0;
+    for (p = 0; p <= 2 * P + 1; ++p) c->g[p] = 0;
+    for (i = 0; i < n; ++i) {
+        swept[i] = curvature(c, i, &slope) * c->l[i];
+        if (i == 0) lead = slope * c->l[0] * c->l[0] / 24;
+        e[i] = c->chords ? (c->a[i] * torsion_change(c, i) * c->l[i] * c->l[i] +
+                            swept[i] * (c->a[i] * c->a[i] - c->w[i] * c->w[i])) /
+                               12
+                         : c->k * swept[i] * c->l[i] * c->l[i] / 12;
+        c->area += swept[i] * c->l[i] * c->l[i] / 12;
+    }
+    for (i = 0; i < n; ++i) {
+        b = (i + n - 1) % n;
+        turn[i] = c->alpha[i] + (c->a[i] * c->w[i] - c->a[b] * c->w[b]) / 6 - (e[b] + e[i]) / 2;
+        c->turning += turn[i];
+        c->turned += fabsq(turn[i]);
+    }
+    for (i = 0; i < n; ++i) {
+        quad h = c->l[i] * (1 + (swept[i] * swept[i] + c->a[i] * c->a[i]) / 24);
+        c->length += h;
+        if (i > 0) phase += 2 * M_PIq / c->turning * turn[i];
+        for (p = 1; p <= P; ++p) {
+            quad x = p * M_PIq * swept[i] / c->turning, f = p * (phase + 2 * M_PIq / c->turning * lead);
+            quad part = x == 0 ? h : h * sinq(x) / x;
+            c->g[2 * p] += part * cosq(f);
+            c->g[2 * p + 1] += part * sinq(f);
+        }
+    }
+}
+
+/* --- rounding errors ---------------------------------------------------------------------------------------------- */
+
+static double scratch[8 * FINEST], worst[QUANTITIES];
+
+/* NaN is the worst. */
+static void judge(int what, double off)
+{
+    if (!(off <= worst[what])) worst[what] = off;
+}
+
+/* Area of the polygon in the plane, or on the unit sphere by its turns. */
+static quad polygon_area(const arcs *c, const quad *x)
+{
+    quad area = 0;
+    size_t i, n = c->n;
+    if (c->k > 0) {
+        for (area = 2 * M_PIq, i = 0; i < n; ++i) area -= c->alpha[i];
+        return area;
+    }
+    for (i = 0; i < n; ++i) {
+        const quad *a = x + 3 * i, *b = x + 3 * ((i + 1) % n);
+        area += (a[0] * b[1] - a[1] * b[0]) / 2;
+    }
+    return area;
+}
+
+static int survey(int where, int geodesics, int curves)
+{
+    static double corner[3 * FINEST], normal[3 * FINEST];
+    static quad x[3 * FINEST], m[3 * FINEST];
+    static unsigned char marks[FINEST];
+    static arcs c;
+    chance luck = {1000 + (uint64_t)where};
+    int round, p, k, failed = 0;
+    for (k = 0; k < QUANTITIES; ++k) worst[k] = 0;
+    for (round = 0; round < curves; ++round) {
+        wobble w = some_wobble(&luck, where);
+        double mu[P + 1], g[2 * P + 2], condition;
+        surfmink_functionals f;
+        size_t i, j, dim = where == IN_THE_PLANE ? 2 : 3;
+        int status;
+        c.n = 8 + one_of(&luck, round % 20 ? 120 : 2000);
+        c.chords = !geodesics;
+        c.k = where == ON_A_SPHERE ? 1 : 0;
+        c.sharp = round % 3 ? NULL : marks;
+        for (i = 0; i < c.n; ++i) marks[i] = one_of(&luck, 5) == 0;
+        wobble_points(&w, c.n, corner, normal);
+        for (i = 0; i < c.n; ++i) {
+            for (j = 0; j < 3; ++j) {
+                x[3 * i + j] = j < dim ? corner[dim * i + j] : 0;
+                m[3 * i + j] = where == IN_THE_PLANE ? j == 2 : where == ON_A_SPHERE ? x[3 * i + j] : normal[3 * i + j];
+            }
+            unit(m + 3 * i);
+            for (j = 0; j < 3 && where == ON_A_SPHERE && geodesics; ++j) x[3 * i + j] = m[3 * i + j];
+        }
+        measure(x, m, &c);
+        fourth(&c);
+        if (where == IN_THE_PLANE)
+            status = surfmink_curve_plane(corner, c.sharp, c.n, 4, P, scratch, mu, NULL, g, &f, NULL);
+        else if (geodesics)
+            status = surfmink_curve_sphere(corner, c.sharp, c.n, 1, 4, P, scratch, mu, NULL, g, &f, NULL);
+        else
+            status = surfmink_curve_embedded(corner, where == ON_A_SPHERE ? corner : normal, c.sharp, c.n, 4, P,
+                                             scratch, mu, NULL, g, &f, NULL);
+        if (status != SURFMINK_OK) {
+            printf("curve %d: %s\n", round, surfmink_strerror(status));
+            return 1;
+        }
+        condition = fmax(1, (double)(c.turned / c.turning));
+        judge(LENGTH, fabs((double)(f.length / c.length - 1)));
+        judge(TURNING, fabs((double)(f.turning / c.turning - 1)) / condition);
+        if (geodesics) judge(AREA, fabs((double)(f.area / (polygon_area(&c, x) + c.area) - 1)));
+        for (p = 1; p <= P; ++p) {
+            quad modulus = sqrtq(c.g[2 * p] * c.g[2 * p] + c.g[2 * p + 1] * c.g[2 * p + 1]) / c.length;
+            quad turn = atan2q(g[2 * p + 1], g[2 * p]) - atan2q(c.g[2 * p + 1], c.g[2 * p]);
+            turn -= 2 * M_PIq * roundq(turn / (2 * M_PIq));
+            judge(MU, fabs((double)(mu[p] - modulus)) / (1 + condition));
+            judge(ANGLE, fabs((double)(turn * modulus)) / (1 + condition));
+        }
+    }
+    for (k = 0; k < QUANTITIES; ++k) {
+        printf("  %s %.1e", quantity[k].name, worst[k]);
+        if (!(worst[k] <= quantity[k].limit)) ++failed;
+    }
+    printf("\n");
+    return failed;
+}
+
+/* --- estimates ---------------------------------------------------------------------------------------------------- */
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static int curve_of(const wobble *w, size_t n, int order, double *mu, double *error)
+{
+    static double corner[3 * FINEST], normal[3 * FINEST];
+    wobble_points(w, n, corner, normal);
+    if (w->plane) return surfmink_curve_plane(corner, NULL, n, order, 6, scratch, mu, error, NULL, NULL, NULL);
+    return surfmink_curve_embedded(corner, normal, NULL, n, order, 6, scratch, mu, error, NULL, NULL, NULL);
+}
+
+/* Quantiles of error / estimate, mu_1 .. mu_6, of curves in the plane and on the three surfaces alike; and of those
+   estimates that are below 1e-3. */
+static void estimates(size_t n, int order, int curves)
+{
+    double *ratio = (double *)malloc(4 * 6 * (size_t)curves * sizeof *ratio), mu[7], truth[7], error[7],
+           worst_error = 0;
+    size_t count = 0, within = 0, under = 0, small = 0, small_under = 0;
+    int where, round, p;
+    for (where = 0; where < WHERE; ++where) {
+        chance luck = {7};
+        for (round = 0; round < curves; ++round) {
+            wobble w = some_wobble(&luck, where);
+            if (curve_of(&w, FINEST, 4, truth, NULL) != SURFMINK_OK || curve_of(&w, n, order, mu, error) != SURFMINK_OK)
+                exit(1);
+            for (p = where == IN_THE_PLANE ? 2 : 1; p <= 6; ++p) {
+                double off = fabs(mu[p] - truth[p]);
+                worst_error = fmax(worst_error, off);
+                if (!(error[p] > 1e-11)) continue; /* there the truth is none */
+                ratio[count++] = off / error[p];
+                within += off > error[p] / 2 && off < 2 * error[p];
+                under += off >= 2 * error[p];
+                small += error[p] < 1e-3;
+                small_under += error[p] < 1e-3 && off >= 2 * error[p];
+            }
+        }
+    }
+    qsort(ratio, count, sizeof *ratio, by_size);
+    printf("%5d %5d  %8.1e  %6.2f %6.2f %6.2f %6.2f %6.2f  %6.1f%%  %6.1f%%  %6.1f%%\n", (int)n, order, worst_error,
+           ratio[count / 100], ratio[count / 10], ratio[count / 2], ratio[count * 9 / 10], ratio[count * 99 / 100],
+           100.0 * (double)within / (double)count, 100.0 * (double)under / (double)count,
+           100.0 * (double)small_under / (double)(small ? small : 1));
+    free(ratio);
+}
+
+int main(int argc, char **argv)
+{
+    static const size_t size[6] = {32, 33, 64, 65, 256, 257};
+    int curves = argc > 1 ? atoi(argv[1]) : 400, failed = 0, order, k;
+    printf("worst rounding errors of order 4 over %d curves of each kind; limits:", curves);
+    for (k = 0; k < QUANTITIES; ++k) printf(" %s %.0e (%s)", quantity[k].name, quantity[k].limit, quantity[k].meaning);
+    printf("\nplane                 ");
+    failed += survey(IN_THE_PLANE, 1, curves);
+    printf("sphere, great circles ");
+    failed += survey(ON_A_SPHERE, 1, curves);
+    printf("sphere, chords        ");
+    failed += survey(ON_A_SPHERE, 0, curves);
+    printf("ellipsoid, chords     ");
+    failed += survey(ON_AN_ELLIPSOID, 0, curves);
+    printf("torus, chords         ");
+    failed += survey(ON_A_TORUS, 0, curves);
+    printf("%d figures above their limits\n\n", failed);
+    printf("    n order  worst mu   error / estimate: quantiles 1, 10, 50, 90, 99 %%   in [1/2, 2]  above 2  above 2 "
+           "if < 1e-3\n");
+    for (order = 2; order <= 4; order += 2)
+        for (k = 0; k < 6; ++k) estimates(size[k], order, curves / 4 + 1);
+    return failed != 0;
+}

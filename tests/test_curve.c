@@ -1,0 +1,1563 @@
+/* Smooth curves: order 4, sharp corners, and estimates of the error.
+   cc -I. tests/test_curve.c -lm && ./a.out
+
+   The scheme itself is pinned by tests/data/corr4_*, which another program computed. That it is of fourth order is
+   shown against curves whose measures are known (errors at 4096 corners and fitted orders are printed): flowers on a
+   sphere, an ellipsoid and a torus from tests/data/xsmooth_ref.tsv, curves of the plane, where the phase is the angle
+   of the tangent, and circles of the hyperbolic plane. */
+#define SURFMINK_IMPLEMENTATION
+#include "surfmink.h"
+
+#include "harness.h"
+#include "shapes.h"
+#include "table.h"
+
+#define P 12
+
+enum { FINEST = 4096 };
+
+typedef struct measured {
+    double mu[P + 1], error[P + 1], g[2 * P + 2];
+    surfmink_functionals w;
+    size_t bad;
+    int status;
+} measured;
+
+/* An outline of any kind, so that all of them can be asked the same questions. */
+enum kind { PLANE, SPHERE, EMBEDDED, CALLBACKS, KINDS };
+static const char *const kind_name[KINDS] = {"plane", "sphere", "embedded", "callbacks"};
+
+typedef struct outline {
+    enum kind kind;
+    size_t n;
+    double corner[3 * FINEST], normal[3 * FINEST], radius;
+    unsigned char sharp[FINEST];
+} outline;
+
+static double scratch[8 * FINEST];
+
+static int constant_curvature(void *context, const double *x, double *curvature)
+{
+    const double *radius = (const double *)context;
+    (void)x;
+    *curvature = 1 / (*radius * *radius);
+    return SURFMINK_OK;
+}
+
+static measured measure_only(outline *o, const unsigned char *sharp, int order, int max_rank)
+{
+    measured m;
+    surfmink_surface s = surfmink_sphere(&o->radius);
+    memset(&m, 0x5a, sizeof m);
+    switch (o->kind) {
+    case PLANE:
+        m.status =
+            surfmink_curve_plane(o->corner, sharp, o->n, order, max_rank, scratch, m.mu, m.error, m.g, &m.w, &m.bad);
+        break;
+    case SPHERE:
+        m.status = surfmink_curve_sphere(o->corner, sharp, o->n, o->radius, order, max_rank, scratch, m.mu, m.error,
+                                         m.g, &m.w, &m.bad);
+        break;
+    case EMBEDDED:
+        m.status = surfmink_curve_embedded(o->corner, o->normal, sharp, o->n, order, max_rank, scratch, m.mu, m.error,
+                                           m.g, &m.w, &m.bad);
+        break;
+    default:
+        m.status = surfmink_curve_surface(&s, 0, constant_curvature, o->corner, sharp, o->n, order, max_rank, scratch,
+                                          m.mu, m.error, m.g, &m.w, &m.bad);
+    }
+    return m;
+}
+
+static measured measure(outline *o, const unsigned char *sharp, int order)
+{
+    measured m = measure_only(o, sharp, order, P);
+    CHECK_OK(m.status);
+    return m;
+}
+
+/* --- the scheme --------------------------------------------------------------------------------------------------- */
+
+THEOREM(order_4_is_the_documented_scheme)
+{
+    static const char *const x[3] = {"x", "y", "z"}, *const n[3] = {"nx", "ny", "nz"};
+    static outline o;
+    table t;
+    int p, cases = 0;
+    o.kind = EMBEDDED;
+    table_open(&t, "tests/data/corr4_ref.tsv");
+    for (; table_next(&t); ++cases) {
+        measured m;
+        const char *which = table_text(&t, "case");
+        o.n = table_points("tests/data/corr4_points.tsv", which, x, 3, FINEST, o.corner);
+        table_points("tests/data/corr4_points.tsv", which, n, 3, FINEST, o.normal);
+        CHECK_EQUAL(o.n, table_number(&t, "q"));
+        CASE("%s", which);
+        m = measure(&o, NULL, 4);
+        CHECK_CLOSE(m.w.length, table_number(&t, "L4"), 5e-14);
+        CHECK_NEAR(m.w.turning, table_number(&t, "S4"), 1e-13);
+        CHECK_CLOSE(m.g[0], m.w.length, 0);
+        for (p = 1; p <= P; ++p) {
+            CHECK_NEAR(m.mu[p], table_rank(&t, "mu4_", p), 1e-13);
+            CHECK_NEAR(m.mu[p] *
+                           remainder(atan2(m.g[2 * p + 1], m.g[2 * p]) - p * table_rank(&t, "theta4mid_", p), 2 * PI),
+                       0, 1e-13);
+        }
+    }
+    CHECK_EQUAL(cases, 3);
+}
+
+/* --- smooth curves with known measures ---------------------------------------------------------------------------- */
+
+enum partition { UNIFORM, GRADED, ALTERNATING, TWO_HALVES, PARTITIONS };
+static const char *const partition_name[PARTITIONS] = {"equal edges", "edges graded 1:4", "edges alternating 1:3",
+                                                       "one half coarse 3:1"};
+
+/* Where corner i of n lies, as a fraction of the curve; the middle of edge 0 is at 0. */
+static double position(enum partition kind, size_t i, size_t n)
+{
+    double x = ((double)i - 0.5) / (double)n, h = 1.0 / (double)n;
+    switch (kind) {
+    case GRADED: return x + 0.1 * sin(2 * PI * x); /* from 1.6 h to 0.4 h */
+    case ALTERNATING: return i % 2 ? h * ((double)i - 0.75) : h * ((double)i - 0.25);
+    case TWO_HALVES: return x <= 0.75 ? x * 2 / 3 : 0.5 + (x - 0.75) * 2;
+    default: return x;
+    }
+}
+
+/* The smooth curve itself; g is read at fraction 0. */
+typedef struct exact {
+    double length, turning, g[2 * P + 2];
+    flower_ruler ruler; /* of a flower */
+    int bumps;          /* in the plane */
+    double depth;
+} exact;
+
+static void flower_of(const char *which, exact *e)
+{
+    table t;
+    flower f;
+    int p, found = 0;
+    memset(e, 0, sizeof *e);
+    table_open(&t, "tests/data/xsmooth_ref.tsv");
+    while (table_next(&t)) {
+        if (strcmp(table_text(&t, "case"), which) != 0) continue;
+        found = 1;
+        table_flower(&t, &f);
+        e->length = table_number(&t, "L");
+        e->turning = table_number(&t, "kappa");
+        for (p = 1; p <= P; ++p) {
+            double modulus = e->length * table_rank(&t, "mu_", p), angle = p * table_rank(&t, "theta_", p);
+            e->g[2 * p] = modulus * cos(angle);
+            e->g[2 * p + 1] = modulus * sin(angle);
+        }
+    }
+    CHECK(found);
+    flower_measure(&f, &e->ruler);
+}
+
+/* r = 1 + depth sin(bumps t) + depth cos(2 t) in the plane, and its derivative by t. */
+static void bump_point(const exact *e, double t, double x[2], double d[2])
+{
+    double r = 1 + e->depth * (sin(e->bumps * t) + cos(2 * t));
+    double dr = e->depth * (e->bumps * cos(e->bumps * t) - 2 * sin(2 * t));
+    x[0] = r * cos(t);
+    x[1] = r * sin(t);
+    d[0] = dr * cos(t) - r * sin(t);
+    d[1] = dr * sin(t) + r * cos(t);
+}
+
+/* The trapezoidal rule is exact to rounding for a smooth periodic integrand. The phase is the angle of the tangent. */
+static void bumps_of(int bumps, double depth, exact *e)
+{
+    enum { SAMPLES = 2048 };
+    double x[2], d[2], start[2], speed, angle, turned = 0, before = 0;
+    int i, p;
+    memset(e, 0, sizeof *e);
+    e->bumps = bumps;
+    e->depth = depth;
+    e->turning = 2 * PI;
+    bump_point(e, 0, x, start);
+    for (i = 0; i < SAMPLES; ++i) {
+        bump_point(e, 2 * PI * i / SAMPLES, x, d);
+        speed = hypot(d[0], d[1]) * 2 * PI / SAMPLES;
+        angle = atan2(start[0] * d[1] - start[1] * d[0], start[0] * d[0] + start[1] * d[1]);
+        turned += remainder(angle - before, 2 * PI);
+        before = angle;
+        e->length += speed;
+        for (p = 1; p <= P; ++p) {
+            e->g[2 * p] += speed * cos(p * turned);
+            e->g[2 * p + 1] += speed * sin(p * turned);
+        }
+    }
+}
+
+static void sample(const exact *e, enum partition kind, outline *o)
+{
+    double d[2], at;
+    size_t i;
+    for (i = 0; i < o->n; ++i) {
+        at = position(kind, i, o->n);
+        if (e->bumps)
+            bump_point(e, 2 * PI * at, o->corner + 2 * i, d);
+        else
+            flower_at(&e->ruler, at, o->corner + 3 * i, o->normal + 3 * i);
+    }
+}
+
+enum quantity { LENGTH, TURNING, MU, COMPONENT, QUANTITIES };
+static const char *const quantity_name[QUANTITIES] = {"L", "S", "mu", "g"};
+
+/* In the plane the parameter is not the arc length: where the middle of the arc of edge 0 is, relative to t = 0, and by
+   which angle the tangent has turned there. */
+static double lead_of(const exact *e, enum partition kind, size_t n)
+{
+    double t0 = 2 * PI * position(kind, 0, n), t1 = 2 * PI * position(kind, 1, n), low = t0, high = t1, x[2], d[2],
+           start[2];
+    int round, k;
+    if (!e->bumps) return 0;
+    for (round = 0; round < 60; ++round) {
+        double t = (low + high) / 2, more = 0;
+        for (k = 0; k < 3; ++k) { /* Gauss's rule of three points, to the left and to the right */
+            static const double node[3] = {-0.77459666924148337704, 0, 0.77459666924148337704};
+            static const double weight[3] = {5, 8, 5};
+            bump_point(e, t0 + (t - t0) / 2 * (1 + node[k]), x, d);
+            more += weight[k] * hypot(d[0], d[1]) * (t - t0);
+            bump_point(e, t + (t1 - t) / 2 * (1 + node[k]), x, d);
+            more -= weight[k] * hypot(d[0], d[1]) * (t1 - t);
+        }
+        *(more > 0 ? &high : &low) = t;
+    }
+    bump_point(e, 0, x, start);
+    bump_point(e, low, x, d);
+    return atan2(start[0] * d[1] - start[1] * d[0], start[0] * d[0] + start[1] * d[1]);
+}
+
+/* Worst errors over ranks 1 .. max_rank; those of L and g over L. */
+static void errors_of(const exact *e, const measured *m, double lead, int max_rank, double off[QUANTITIES])
+{
+    int p;
+    off[LENGTH] = fabs(m->w.length / e->length - 1);
+    off[TURNING] = fabs(m->w.turning - e->turning);
+    off[MU] = off[COMPONENT] = 0;
+    for (p = 1; p <= max_rank; ++p) {
+        double modulus = hypot(e->g[2 * p], e->g[2 * p + 1]), angle = atan2(e->g[2 * p + 1], e->g[2 * p]) - p * lead;
+        off[MU] = fmax(off[MU], fabs(m->mu[p] - modulus / e->length));
+        off[COMPONENT] =
+            fmax(off[COMPONENT],
+                 hypot(m->g[2 * p] - modulus * cos(angle), m->g[2 * p + 1] - modulus * sin(angle)) / e->length);
+    }
+}
+
+/* Orders of convergence between n = 1024 and 4096, of ranks up to 6, and the errors at 4096. With sharp corners: some
+   are called so, always the same number, though the curve is smooth there. */
+static void orders(const exact *e, enum kind surface, enum partition kind, int order, int sharp,
+                   double fitted[QUANTITIES], double fine[QUANTITIES])
+{
+    static outline o;
+    double coarse[QUANTITIES];
+    measured m;
+    size_t k;
+    int q;
+    o.kind = surface;
+    o.radius = 1;
+    for (o.n = FINEST / 4; o.n <= FINEST; o.n *= 4) {
+        memset(o.sharp, 0, sizeof o.sharp);
+        for (k = 0; k < 4; ++k) o.sharp[k < 2 ? 3 * k : k * o.n / 5] = 1; /* corner 0 too: edge 0 lies next to it */
+        sample(e, kind, &o);
+        m = measure(&o, sharp ? o.sharp : NULL, order);
+        errors_of(e, &m, lead_of(e, kind, o.n), 6, o.n == FINEST ? fine : coarse);
+    }
+    for (q = 0; q < QUANTITIES; ++q) fitted[q] = fine[q] > 0 ? log2(coarse[q] / fine[q]) / 2 : 0;
+}
+/* Orders of L, S, mu and g on all partitions: 4 within a band. S of the plane is exact. The direction in the middle of
+   edge 0, against the chord, has an error of third order if the edges beside it are unlike, or a sharp corner is next:
+   that of one edge alone, which g shows and mu does not. */
+static void is_of_fourth_order(const exact *e, const char *which, enum kind surface, int sharp, double band)
+{
+    double fitted[QUANTITIES], fine[QUANTITIES];
+    int kind, q;
+    for (kind = 0; kind < PARTITIONS; ++kind) {
+        orders(e, surface, (enum partition)kind, 4, sharp, fitted, fine);
+        for (q = 0; q < QUANTITIES; ++q) {
+            CASE("%s, %s, %s, %s", which, kind_name[surface], partition_name[kind], quantity_name[q]);
+            CHECK(fine[q] < (q == LENGTH || q == TURNING ? 5e-9 : 2e-7)); /* and small, not only falling */
+            if (q == COMPONENT && (sharp || kind == TWO_HALVES))
+                CHECK(fitted[q] > 2.85 && fitted[q] < 4.3); /* see below */
+            else if (fine[q] > 2e-12)
+                CHECK_NEAR(fitted[q], 4, band);
+        }
+        NOTE("%s, %s, %s%s: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)  g %.1e (%.2f)", which, kind_name[surface],
+             partition_name[kind], sharp ? ", four sharp" : "", fine[LENGTH], fitted[LENGTH], fine[TURNING],
+             fitted[TURNING], fine[MU], fitted[MU], fine[COMPONENT], fitted[COMPONENT]);
+    }
+}
+
+THEOREM(flowers_on_a_sphere_an_ellipsoid_and_a_torus_converge_at_fourth_order)
+{
+    static exact e;
+    flower_of("xs00", &e);
+    is_of_fourth_order(&e, "xs00", SPHERE, 0, 0.02);
+    is_of_fourth_order(&e, "xs00", EMBEDDED, 0, 0.02);
+    is_of_fourth_order(&e, "xs00", CALLBACKS, 0, 0.02);
+    flower_of("xs01", &e);
+    is_of_fourth_order(&e, "xs01", EMBEDDED, 0, 0.03);
+    flower_of("xs02", &e);
+    is_of_fourth_order(&e, "xs02", EMBEDDED, 0, 0.13); /* its petals are sharper: 1024 corners are few */
+}
+
+THEOREM(curves_of_the_plane_converge_at_fourth_order)
+{
+    static exact e;
+    bumps_of(5, 0.1, &e);
+    is_of_fourth_order(&e, "five bumps", PLANE, 0, 0.01);
+    bumps_of(3, 0.2, &e);
+    is_of_fourth_order(&e, "three bumps", PLANE, 0, 0.02);
+}
+
+THEOREM(a_corner_called_sharp_where_the_curve_is_smooth_costs_no_order)
+{
+    static exact e;
+    flower_of("xs00", &e);
+    is_of_fourth_order(&e, "xs00", SPHERE, 1, 0.25);
+    flower_of("xs01", &e);
+    is_of_fourth_order(&e, "xs01", EMBEDDED, 1, 0.25);
+    bumps_of(5, 0.1, &e);
+    is_of_fourth_order(&e, "five bumps", PLANE, 1, 0.25);
+}
+
+/* So the bands above tell orders apart. */
+THEOREM(without_the_corrections_the_same_curves_converge_at_second_order)
+{
+    static exact e;
+    double fitted[QUANTITIES], fine[QUANTITIES];
+    int kind, curve;
+    for (curve = 0; curve < 4; ++curve)
+        for (kind = UNIFORM; kind <= GRADED; ++kind) {
+            static const char *const which[4] = {"xs00", "xs01", "xs02", "five bumps"};
+            if (curve < 3) flower_of(which[curve], &e);
+            if (curve == 3) bumps_of(5, 0.1, &e);
+            orders(&e, curve == 0 ? SPHERE : curve < 3 ? EMBEDDED : PLANE, (enum partition)kind, 2, 0, fitted, fine);
+            NOTE("%s, %s, order 2: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)  g %.1e (%.2f)", which[curve],
+                 partition_name[kind], fine[LENGTH], fitted[LENGTH], fine[TURNING], fitted[TURNING], fine[MU],
+                 fitted[MU], fine[COMPONENT], fitted[COMPONENT]);
+            CHECK_NEAR(fitted[LENGTH], 2, 0.01);
+            CHECK_NEAR(fitted[MU], 2, 0.05);
+            CHECK(fine[MU] > 1e-7);
+            if (curve < 3) CHECK_NEAR(fitted[TURNING], 2, 0.01);
+        }
+}
+
+/* A circle of geodesic radius r in the hyperbolic plane, K = -1: L = 2 pi sinh r, S = 2 pi cosh r, mu_p = 0. Corners
+   are not equally far apart, or mu would be exact by symmetry. */
+static int minus_one(void *context, const double *x, double *curvature)
+{
+    (void)context;
+    (void)x;
+    *curvature = -1;
+    return SURFMINK_OK;
+}
+
+THEOREM(circles_of_the_hyperbolic_plane_converge_at_fourth_order)
+{
+    static double corner[2 * FINEST], off[2][3];
+    surfmink_surface s = hyperbolic_plane();
+    const double r = 1.2;
+    size_t n, i;
+    int fine, by_callback, p;
+    for (by_callback = 0; by_callback < 2; ++by_callback) {
+        for (fine = 0; fine < 2; ++fine) {
+            double mu[P + 1];
+            surfmink_functionals w;
+            n = fine ? 512 : 128;
+            for (i = 0; i < n; ++i) {
+                double t = 2 * PI * (double)i / (double)n, t_graded = t + 0.3 * sin(t);
+                corner[2 * i] = tanh(r / 2) * cos(t_graded);
+                corner[2 * i + 1] = tanh(r / 2) * sin(t_graded);
+            }
+            CHECK_OK(surfmink_curve_surface(&s, by_callback ? 7 : -1, by_callback ? minus_one : NULL, corner, NULL, n,
+                                            4, P, scratch, mu, NULL, NULL, &w, NULL));
+            off[fine][0] = w.length / (2 * PI * sinh(r)) - 1;
+            off[fine][1] = w.turning / (2 * PI * cosh(r)) - 1;
+            for (off[fine][2] = 0, p = 1; p <= 6; ++p) off[fine][2] = fmax(off[fine][2], mu[p]);
+            CHECK_CLOSE(w.curvature, 2 * PI - w.turning, 1e-14);
+            CHECK_EQUAL(w.area, 0);
+        }
+        for (p = 0; p < 3; ++p) CHECK_NEAR(log2(off[0][p] / off[1][p]) / 2, 4, 0.03);
+    }
+}
+
+/* Areas: of a disk, a cap, and bumps, whose area is half the integral of r^2. */
+THEOREM(areas_converge_at_fourth_order_too)
+{
+    static outline o;
+    static exact e;
+    double off[2][3];
+    size_t i;
+    int fine, k;
+    bumps_of(3, 0.2, &e);
+    o.radius = 3;
+    for (fine = 0; fine < 2; ++fine) {
+        o.n = fine ? 512 : 128;
+        o.kind = PLANE;
+        sample(&e, GRADED, &o);
+        off[fine][0] = measure(&o, NULL, 4).w.area / (PI * (1 + e.depth * e.depth)) - 1;
+        for (i = 0; i < o.n; ++i) {
+            double t = 2 * PI * position(GRADED, i, o.n);
+            o.corner[2 * i] = 1e6 + cos(t);
+            o.corner[2 * i + 1] = sin(t);
+        }
+        off[fine][1] = measure(&o, NULL, 4).w.area / PI - 1;
+        o.kind = SPHERE;
+        for (i = 0; i < o.n; ++i) {
+            double t = 2 * PI * position(GRADED, i, o.n);
+            o.corner[3 * i] = 1e-6 * cos(t); /* small: curvature and area keep their digits */
+            o.corner[3 * i + 1] = 1e-6 * sin(t);
+            o.corner[3 * i + 2] = sqrt(1 - 1e-12);
+        }
+        off[fine][2] = measure(&o, NULL, 4).w.area / (2 * PI * 1e-12 / (1 + sqrt(1 - 1e-12)) * 9) - 1;
+    }
+    for (k = 0; k < 3; ++k) {
+        CASE("area %d", k);
+        CHECK_NEAR(off[1][k], 0, 3e-8);
+        CHECK_NEAR(log2(off[0][k] / off[1][k]) / 2, 4, 0.03);
+    }
+}
+
+/* Errors of mu at order 2 and 4, root mean square of ten: corners moved in each coordinate by up to `noise` times an
+   edge, normals tilted by up to `tilt`. */
+static void disturbed(const exact *e, size_t n, double noise, double tilt, double off[2])
+{
+    static outline o;
+    int order, round;
+    size_t i;
+    o.kind = EMBEDDED;
+    o.n = n;
+    for (order = 0; order < 2; ++order) {
+        off[order] = 0;
+        for (round = 0; round < 10; ++round) {
+            chance c = {(uint64_t)round};
+            measured m;
+            double errors[QUANTITIES];
+            sample(e, UNIFORM, &o);
+            for (i = 0; i < 3 * n; ++i) {
+                double size = sqrt(dot3(o.normal + i / 3 * 3, o.normal + i / 3 * 3));
+                o.corner[i] += between(&c, -1, 1) * noise * e->length / (double)n;
+                if (i % 3 == 2) o.normal[i] += between(&c, -1, 1) * tilt * size;
+            }
+            m = measure(&o, NULL, 2 + 2 * order);
+            errors_of(e, &m, 0, 6, errors);
+            off[order] += errors[MU] * errors[MU] / 10;
+        }
+        off[order] = sqrt(off[order]);
+    }
+    NOTE("xs01, %d corners, noise %g, tilt %g: mu %.1e at order 2, %.1e at order 4", (int)n, noise, tilt, off[0],
+         off[1]);
+}
+
+THEOREM(corners_or_normals_off_by_a_hundredth_take_the_gain_away)
+{
+    static exact e;
+    double off[2];
+    flower_of("xs01", &e);
+    disturbed(&e, 1024, 0, 0, off);
+    CHECK(off[1] < off[0] / 100);
+    disturbed(&e, 1024, 1e-3, 0, off);
+    CHECK(off[1] < off[0]);
+    disturbed(&e, 1024, 1e-2, 0, off);
+    CHECK(off[1] > off[0] / 2);
+    disturbed(&e, 1024, 0, 1e-3, off);
+    CHECK(off[1] < off[0]);
+    disturbed(&e, 1024, 0, 1e-2, off);
+    CHECK(off[1] > off[0] / 2);
+}
+
+/* --- corners of the curve ----------------------------------------------------------------------------------------- */
+
+/* Three arcs of small circles of the sphere between three corners round the pole; a Reuleaux triangle if they are
+   small. Everything about it is known: arcs of angular radius rho over an angle delta have length sin(rho) delta and
+   turn by cos(rho) delta = swept; at the corners the tangent turns by what S leaves. n / 3 uneven edges an arc. */
+static void three_arcs(outline *o, double polar, double rho, double *length, double *turning, double mu[P + 1])
+{
+    double corner[3], last[3], centre[3], axis[3] = {0, 0, 1}, in[3], out[3], side[3], ahead[3], delta, kink, swept;
+    size_t arc = o->n / 3, i;
+    int p;
+    /* the centre lies on the meridian opposite to the arc: cos rho = cos c cos polar - sin c sin polar / 2 */
+    double a = cos(polar), b = -sin(polar) / 2, c = acos(cos(rho) / hypot(a, b)) + atan2(b, a);
+    for (i = 0; i < 2; ++i) {
+        double *x = i ? last : corner;
+        x[0] = sin(polar) / 2;
+        x[1] = (i ? 1 : -1) * sin(polar) * sqrt(0.75);
+        x[2] = cos(polar);
+    }
+    centre[0] = -sin(c); /* the arc bulges over the longitude 0 */
+    centre[1] = 0;
+    centre[2] = cos(c);
+    for (i = 0; i < 3; ++i) side[i] = corner[i] - cos(rho) * centre[i];
+    cross3(centre, side, ahead); /* a quarter turn on along the circle */
+    delta = 2 * atan2(last[1], sqrt(fmax(0, dot3(side, side) - last[1] * last[1])));
+    for (i = 0; i < arc; ++i) {
+        double t = (double)i / (double)arc, turn = delta * (t + 0.1 * sin(2 * PI * t));
+        size_t k, j;
+        for (k = 0; k < 3; ++k) {
+            double *x = o->corner + 3 * (k * arc + i);
+            for (j = 0; j < 3; ++j) x[j] = cos(rho) * centre[j] + cos(turn) * side[j] + sin(turn) * ahead[j];
+            turn_about(axis, 2 * PI / 3 * (double)k, x, 1);
+            memcpy(o->normal + 3 * (k * arc + i), x, 3 * sizeof *x);
+            o->sharp[k * arc + i] = i == 0;
+        }
+    }
+    cross3(centre, last, in); /* the tangent where an arc ends, and where the next begins */
+    memcpy(out, ahead, sizeof out);
+    turn_about(axis, 2 * PI / 3, out, 1);
+    cross3(in, out, side);
+    kink = atan2(dot3(last, side), dot3(in, out));
+    swept = cos(rho) * delta;
+    *length = 3 * sin(rho) * delta;
+    *turning = 3 * (swept + kink);
+    for (p = 1; p <= P; ++p) {
+        double x = PI * p * swept / *turning;
+        mu[p] = p % 3 == 0 ? fabs(sin(x) / x) : 0;
+    }
+}
+
+/* Worst errors of L, S, mu at n = 384 and 1536 -> fitted orders. */
+static void three_arcs_order(enum kind kind, const char *marked, int order, double fitted[3], double fine[3])
+{
+    static outline o;
+    double off[2][3], mu[P + 1], length, turning;
+    int k, p;
+    o.kind = kind;
+    o.radius = 1;
+    for (k = 0; k < 2; ++k) {
+        measured m;
+        o.n = k ? 1536 : 384;
+        three_arcs(&o, 0.8, 1.1, &length, &turning, mu);
+        m = measure(&o, *marked ? o.sharp : NULL, order);
+        off[k][0] = fabs(m.w.length / length - 1);
+        off[k][1] = fabs(m.w.turning - turning);
+        for (off[k][2] = 0, p = 1; p <= P; ++p) off[k][2] = fmax(off[k][2], fabs(m.mu[p] - mu[p]));
+    }
+    for (k = 0; k < 3; ++k) {
+        fitted[k] = log2(off[0][k] / off[1][k]) / 2;
+        fine[k] = off[1][k];
+    }
+    NOTE("three arcs, %s, order %d%s%s: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)", kind_name[kind], order,
+         *marked ? ", " : "", marked, fine[0], fitted[0], fine[1], fitted[1], fine[2], fitted[2]);
+}
+
+THEOREM(arcs_between_sharp_corners_converge_at_fourth_order_if_the_corners_are_marked_and_at_first_if_not)
+{
+    int kind, k;
+    double fitted[3], fine[3];
+    for (kind = SPHERE; kind < KINDS; ++kind) {
+        CASE("%s, marked", kind_name[kind]);
+        three_arcs_order((enum kind)kind, "marked", 4, fitted, fine);
+        for (k = 0; k < 3; ++k) CHECK_NEAR(fitted[k], 4, 0.05);
+        CHECK(fine[2] < 1e-9);
+        CASE("%s, not marked", kind_name[kind]);
+        three_arcs_order((enum kind)kind, "", 4, fitted, fine);
+        CHECK_NEAR(fitted[0], 1, 0.05);
+        CHECK_NEAR(fitted[2], 1, 0.05);
+        CASE("%s, order 2", kind_name[kind]);
+        three_arcs_order((enum kind)kind, "", 2, fitted, fine);
+        for (k = 0; k < 3; ++k) CHECK_NEAR(fitted[k], 2, 0.05);
+    }
+}
+
+/* An upright half of an ellipse, x = 2 cos t, y = sin t: curvature changes along the arc, and one side is straight. */
+static void half_ellipse(outline *o, size_t n)
+{
+    size_t i, base = n / 4, arc = n - base;
+    o->kind = PLANE;
+    o->n = n;
+    for (i = 0; i < n; ++i) {
+        double t = PI * (double)i / (double)arc;
+        o->corner[2 * i] = i < arc ? 2 * cos(t) : -2 + 4 * (double)(i - arc) / (double)base;
+        o->corner[2 * i + 1] = i < arc ? sin(t) : 0;
+        o->sharp[i] = i == 0 || i == arc;
+    }
+}
+
+static void half_ellipse_exact(double *length, double mu[P + 1])
+{
+    enum { PANELS = 2000 };
+    double g[2 * P + 2] = {0};
+    int i, p;
+    *length = 4;
+    for (i = 0; i < 2 * PANELS; ++i) { /* Gauss's rule of two points */
+        double t = PI * ((double)(i / 2) + (i % 2 ? 0.78867513459481288 : 0.21132486540518712)) / PANELS;
+        double ds = hypot(2 * sin(t), cos(t)) * PI / PANELS / 2, phase = atan2(cos(t), -2 * sin(t));
+        if (phase < 0) phase += 2 * PI;
+        *length += ds;
+        for (p = 1; p <= P; ++p) {
+            g[2 * p] += ds * cos(p * phase);
+            g[2 * p + 1] += ds * sin(p * phase);
+        }
+    }
+    for (p = 1; p <= P; ++p) mu[p] = hypot(g[2 * p] + 4, g[2 * p + 1]) / *length; /* the base has the phase 0 */
+}
+
+THEOREM(half_an_ellipse_with_its_two_corners_marked_converges_at_fourth_order)
+{
+    static outline o;
+    double off[2] = {0, 0}, fine[2] = {0, 0}, length, mu[P + 1];
+    int k, p;
+    half_ellipse_exact(&length, mu);
+    for (k = 0; k < 2; ++k) {
+        measured m;
+        half_ellipse(&o, k ? 2048 : 512);
+        m = measure(&o, o.sharp, 4);
+        (k ? fine : off)[0] = fabs(m.w.length / length - 1);
+        for (p = 1; p <= 6; ++p) (k ? fine : off)[1] = fmax((k ? fine : off)[1], fabs(m.mu[p] - mu[p]));
+        for (p = 1; p <= 6; ++p)
+            CHECK(fabs(m.mu[p] - mu[p]) < 3 * m.error[p] + 1e-13); /* and it is known how far off */
+    }
+    CHECK_NEAR(log2(off[0] / fine[0]) / 2, 4, 0.3);
+    CHECK_NEAR(log2(off[1] / fine[1]) / 2, 4, 0.3);
+}
+
+THEOREM(a_polygon_with_all_corners_marked_is_what_the_polygon_is)
+{
+    static outline o;
+    chance c = {20};
+    int round, kind, p;
+    for (round = 0; round < 100; ++round) {
+        double xy[2 * MOST];
+        measured m, polygon;
+        o.n = 5 + one_of(&c, 20);
+        o.radius = 2;
+        gentle_star(&c, o.n, xy);
+        memset(o.sharp, 1, o.n);
+        for (kind = PLANE; kind < EMBEDDED; ++kind) {
+            o.kind = (enum kind)kind;
+            memcpy(o.corner, xy, sizeof xy);
+            if (kind == SPHERE) onto_sphere(xy, o.n, 0.5, o.corner);
+            m = measure(&o, o.sharp, 4);
+            polygon = measure(&o, o.sharp, 2);
+            CHECK_CLOSE(m.w.length, polygon.w.length, 1e-15 * 4);
+            CHECK_CLOSE(m.w.turning, polygon.w.turning, 1e-14);
+            CHECK_CLOSE(m.w.area, polygon.w.area, 1e-14);
+            for (p = 0; p <= P; ++p) CHECK_NEAR(m.mu[p], polygon.mu[p], 1e-13);
+            for (p = 0; p <= P; ++p) CHECK_NEAR(m.error[p], 0, 1e-13); /* nothing is left out of every second corner */
+        }
+    }
+}
+
+/* A hexagon with many corners on each side: exact as a polygon, and with its corners marked; otherwise rounded off. */
+THEOREM(on_the_sides_of_a_polygon_order_4_errs_at_first_order_unless_its_corners_are_marked)
+{
+    static outline o;
+    double off[2];
+    int fine, p;
+    o.kind = PLANE;
+    for (fine = 0; fine < 2; ++fine) {
+        size_t side = fine ? 64 : 16, i;
+        measured m;
+        o.n = 6 * side;
+        for (i = 0; i < o.n; ++i) {
+            double a = PI / 3 * (double)(i / side), b = a + PI / 3, t = (double)(i % side) / (double)side;
+            o.corner[2 * i] = (1 - t) * cos(a) + t * cos(b);
+            o.corner[2 * i + 1] = (1 - t) * sin(a) + t * sin(b);
+            o.sharp[i] = i % side == 0;
+        }
+        m = measure(&o, o.sharp, 4);
+        for (p = 0; p <= P; ++p) CHECK_NEAR(m.mu[p], p % 6 == 0, 1e-13);
+        for (p = 1; p <= P; ++p) CHECK_NEAR(m.error[p], 0, 1e-13);
+        m = measure(&o, NULL, 2);
+        for (p = 0; p <= P; ++p) CHECK_NEAR(m.mu[p], p % 6 == 0, 1e-13);
+        m = measure(&o, NULL, 4);
+        off[fine] = 1 - m.mu[6];
+    }
+    CHECK_NEAR(log2(off[0] / off[1]) / 2, 1, 0.05);
+}
+
+/* --- estimates of the error --------------------------------------------------------------------------------------- */
+
+/* A smooth curve by chance. */
+static void along(const wobble *w, size_t n, outline *o)
+{
+    o->kind = w->plane ? PLANE : EMBEDDED;
+    o->n = n;
+    wobble_points(w, n, o->corner, o->normal);
+}
+
+/* The share of errors, of L and of mu_1 .. mu_6, that are within a factor 2 of their estimates; the rest mostly are
+   where an error changes its sign. */
+static double share_within_two(int where, size_t n, int order, int curves)
+{
+    static outline o;
+    chance c = {40};
+    int round, p, within = 0, all = 0;
+    for (round = 0; round < curves; ++round) {
+        wobble w = some_wobble(&c, where);
+        measured truth, m;
+        along(&w, 2048, &o);
+        truth = measure(&o, NULL, 4);
+        along(&w, n, &o);
+        m = measure(&o, NULL, order);
+        for (p = where == IN_THE_PLANE ? 2 : 1; p <= 6; ++p) {
+            double off = fabs(m.mu[p] - truth.mu[p]);
+            ++all;
+            if (m.error[p] > 1e-11 && off < 2 * m.error[p] && off > m.error[p] / 2) ++within;
+        }
+        ++all;
+        if (fabs(m.w.length / truth.w.length - 1) < 2 * m.error[0] &&
+            fabs(m.w.length / truth.w.length - 1) > m.error[0] / 2)
+            ++within;
+    }
+    return (double)within / all;
+}
+
+THEOREM(nearly_all_errors_are_within_a_factor_of_two_of_their_estimates)
+{
+    int where;
+    size_t odd;
+    for (where = 0; where < WHERE; ++where)
+        for (odd = 0; odd < 2; ++odd) {
+            CASE("surface %d, %s", where, odd ? "odd" : "even");
+            CHECK(share_within_two(where, 128 + odd, 2, 30) > 0.98);
+            CHECK(share_within_two(where, 256 + odd, 4, 30) > 0.97);
+        }
+}
+
+/* A known error: a regular polygon in a circle. L is too short by x^2 / 6 - x^4 / 120, x = pi / n; every second corner
+   has twice the x, if n is odd too. Order 4 makes it h = l (1 + (2 pi / n)^2 / 24). */
+THEOREM(of_a_circle_the_estimate_of_the_length_is_known)
+{
+    static outline o;
+    size_t n, i;
+    o.kind = PLANE;
+    for (n = 5; n < 70; ++n) {
+        double x = PI / (double)n, chord = sin(x) / x, half = sin(2 * x) / (2 * x);
+        measured m;
+        o.n = n;
+        for (i = 0; i < n; ++i) {
+            o.corner[2 * i] = cos(2 * x * (double)i);
+            o.corner[2 * i + 1] = sin(2 * x * (double)i);
+        }
+        CASE("%d corners", (int)n);
+        m = measure(&o, NULL, 2);
+        CHECK_CLOSE(m.error[0], (1 - half / chord) / 3, 1e-12 * (double)(n * n));
+        m = measure(&o, NULL, 4);
+        chord *= 1 + x * x / 6;
+        half *= 1 + 4 * x * x / 6;
+        CHECK_CLOSE(m.w.length, 2 * PI * chord, 1e-14);
+        CHECK_NEAR(m.error[0], fabs(1 - half / chord) / 15, 1e-14);
+        CHECK(m.error[0] > 0.5 * (1 - chord) - 1e-14 && m.error[0] < 2 * (1 - chord) + 1e-14);
+    }
+}
+
+static void is_unknown(const measured *m)
+{
+    int p;
+    CHECK_OK(m->status);
+    for (p = 0; p <= P; ++p) CHECK_EQUAL(m->error[p], 1);
+}
+
+/* The limacon r = inner + cos t in the plane z = 0: it winds twice; every second of few corners may wind otherwise. */
+static void limacon(outline *o, size_t n, double inner)
+{
+    size_t i;
+    o->kind = EMBEDDED;
+    o->n = n;
+    memset(o->corner, 0, sizeof o->corner);
+    memset(o->normal, 0, sizeof o->normal);
+    for (i = 0; i < o->n; ++i) {
+        double t = 2 * PI * (double)i / (double)o->n + 0.1, r = inner + cos(t);
+        o->corner[3 * i] = r * cos(t);
+        o->corner[3 * i + 1] = r * sin(t);
+        o->normal[3 * i + 2] = 1;
+    }
+}
+
+THEOREM(where_nothing_can_be_said_the_estimate_is_one)
+{
+    static outline o;
+    static const double far[2 * 6] = {0, 0, 1e300, -1e300, 1e-310, 0, 1e300, 1e300, -1e300, 1e300, -1e300, -1e300};
+    static const double twin[2 * 6] = {0, 0, 1, -1, 2, 0, 3, 1, 2, 0, 1, 1}; /* corners 2 and 4 are the same point */
+    chance c = {45};
+    wobble w = some_wobble(&c, IN_THE_PLANE);
+    measured m;
+    int order;
+    size_t n, i;
+    for (order = 2; order <= 4; order += 2) {
+        o.kind = PLANE;
+        for (n = 3; n <= 4; ++n) {
+            o.n = n;
+            for (i = 0; i < n; ++i) {
+                o.corner[2 * i] = cos(2 * PI * (double)i / (double)n);
+                o.corner[2 * i + 1] = sin(2 * PI * (double)i / (double)n);
+            }
+            m = measure(&o, NULL, order);
+            is_unknown(&m);
+        }
+        o.n = 6;
+        memcpy(o.corner, twin, sizeof twin);
+        m = measure(&o, NULL, order);
+        is_unknown(&m);
+        along(&w, 5, &o); /* three of five with a sharp one are enough, two of four are not */
+        memset(o.sharp, 0, sizeof o.sharp);
+        o.sharp[1] = 1;
+        m = measure(&o, o.sharp, order);
+        CHECK(m.error[2] < 1);
+        along(&w, 4, &o);
+        m = measure(&o, o.sharp, order);
+        is_unknown(&m);
+        limacon(&o, 6, 1); /* for its normals; from corner 0 to 2 it is so little that it goes under */
+        for (i = 0; i < 6; ++i) memcpy(o.corner + 3 * i, far + 2 * i, 2 * sizeof *far);
+        m = measure(&o, NULL, order);
+        is_unknown(&m);
+        for (i = 0; i < 3; ++i) { /* S of every second: 2 pi; 2 pi and 0; 0 and 2 pi */
+            limacon(&o, i < 2 ? 10 - 2 * i : 6, i == 0 ? 0.7 : i == 1 ? 0.6 : 0.5);
+            m = measure(&o, NULL, order);
+            CHECK_NEAR(m.w.turning, 4 * PI, 1e-13);
+            is_unknown(&m);
+        }
+    }
+}
+
+/* With or without an estimate, with or without mu, the rest is the same. */
+THEOREM(every_output_may_be_left_out)
+{
+    static outline o;
+    chance c = {50};
+    wobble w = some_wobble(&c, ON_A_TORUS);
+    measured all, m;
+    int order;
+    for (order = 2; order <= 4; order += 2) {
+        along(&w, 60, &o);
+        all = measure(&o, NULL, order);
+        memset(&m, 0, sizeof m);
+        CHECK_OK(
+            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, NULL, m.error, NULL, NULL, NULL));
+        CHECK_SAME(m.error, all.error, P + 1);
+        CHECK_OK(
+            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, m.mu, NULL, NULL, NULL, NULL));
+        CHECK_SAME(m.mu, all.mu, P + 1);
+        CHECK_OK(
+            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, NULL, NULL, m.g, NULL, NULL));
+        CHECK_SAME(m.g, all.g, 2 * P + 2);
+        CHECK_OK(
+            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, NULL, NULL, NULL, &m.w, NULL));
+        CHECK_SAME(&m.w.length, &all.w.length, 1);
+        CHECK_SAME(&m.w.turning, &all.w.turning, 1);
+        CHECK_OK(
+            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, NULL, NULL, NULL, NULL, NULL));
+    }
+}
+
+/* --- what does not change the numbers ----------------------------------------------------------------------------- */
+
+/* A curve of any kind by chance; on the sphere and by callbacks the radius is 2 and corners lie off it. */
+static void some_outline(chance *c, enum kind kind, size_t n, outline *o)
+{
+    wobble w = some_wobble(c, kind == PLANE ? IN_THE_PLANE : kind == EMBEDDED ? ON_AN_ELLIPSOID : ON_A_SPHERE);
+    along(&w, n, o);
+    o->kind = kind;
+    o->radius = 2;
+}
+
+static void is_alike(const measured *a, const measured *b, double within)
+{
+    int p;
+    CHECK_CLOSE(b->w.length, a->w.length, within);
+    CHECK_CLOSE(b->w.turning, a->w.turning, within);
+    CHECK_NEAR(b->w.area, a->w.area, within);
+    CHECK_CLOSE(b->w.condition, a->w.condition, 10 * within);
+    for (p = 0; p <= P; ++p) {
+        CHECK_NEAR(b->mu[p], a->mu[p], within);
+        CHECK_NEAR(b->error[p], a->error[p], within);
+    }
+}
+
+THEOREM(order_2_is_the_measure_of_the_polygon_to_the_bit)
+{
+    static outline o;
+    chance c = {60};
+    double mu[P + 1], g[2 * P + 2];
+    surfmink_functionals w;
+    int kind, round;
+    for (round = 0; round < 20; ++round)
+        for (kind = PLANE; kind < KINDS; ++kind) {
+            measured m;
+            surfmink_surface s = surfmink_sphere(&o.radius);
+            some_outline(&c, (enum kind)kind, 5 + one_of(&c, 40), &o);
+            m = measure(&o, NULL, 2);
+            if (kind == PLANE) CHECK_OK(surfmink_measure_plane(o.corner, o.n, P, mu, g, &w, NULL));
+            if (kind == SPHERE) CHECK_OK(surfmink_measure_sphere(o.corner, o.n, o.radius, P, mu, g, &w, NULL));
+            if (kind == EMBEDDED) CHECK_OK(surfmink_measure_embedded(o.corner, o.normal, o.n, P, mu, g, &w, NULL));
+            if (kind == CALLBACKS) CHECK_OK(surfmink_measure_surface(&s, o.corner, o.n, scratch, P, mu, g, &w, NULL));
+            CHECK_SAME(m.mu, mu, P + 1);
+            CHECK_SAME(m.g, g, 2 * P + 2);
+            CHECK_SAME(&m.w.area, &w.area, 1);
+            CHECK_SAME(&m.w.length, &w.length, 1);
+            CHECK_SAME(&m.w.turning, &w.turning, 1);
+            CHECK_SAME(&m.w.curvature, &w.curvature, 1);
+            CHECK_SAME(&m.w.condition, &w.condition, 1);
+        }
+}
+
+THEOREM(the_curve_does_not_depend_on_which_corner_comes_first)
+{
+    static outline o, other;
+    chance c = {61};
+    int kind, order, sharp;
+    for (kind = PLANE; kind < KINDS; ++kind)
+        for (order = 2; order <= 4; order += 2)
+            for (sharp = 0; sharp < 2; ++sharp) {
+                measured a, b;
+                size_t by, k, dim = kind == PLANE ? 2 : 3;
+                some_outline(&c, (enum kind)kind, 30 + one_of(&c, 2), &o);
+                memset(o.sharp, 0, sizeof o.sharp);
+                o.sharp[one_of(&c, o.n)] = 1;
+                CASE("%s, order %d, %d sharp", kind_name[kind], order, sharp);
+                a = measure(&o, sharp ? o.sharp : NULL, order);
+                other = o;
+                by = 1 + one_of(&c, o.n - 1);
+                start_at(by, o.corner, o.n, dim, other.corner);
+                start_at(by, o.normal, o.n, 3, other.normal);
+                for (k = 0; k < o.n; ++k) other.sharp[k] = o.sharp[(k + by) % o.n];
+                b = measure(&other, sharp ? other.sharp : NULL, order);
+                is_alike(&a, &b, 2e-13);
+            }
+}
+
+/* g_p at another edge is the same with the phase between the two; so eigenvectors are where they are. Steps 2 and 3
+   with arcs know that phase only up to the leads of both edges: they are as small as the square of an edge. */
+THEOREM(components_at_another_edge_differ_by_a_rotation)
+{
+    static outline o, other;
+    chance c = {62};
+    measured a, b;
+    double turned;
+    int p;
+    some_outline(&c, EMBEDDED, 200, &o);
+    a = measure(&o, NULL, 4);
+    other = o;
+    start_at(77, o.corner, o.n, 3, other.corner);
+    start_at(77, o.normal, o.n, 3, other.normal);
+    b = measure(&other, NULL, 4);
+    turned = atan2(b.g[3], b.g[2]) - atan2(a.g[3], a.g[2]);
+    for (p = 1; p <= P; ++p)
+        CHECK_NEAR(
+            a.mu[p] *
+                remainder(atan2(b.g[2 * p + 1], b.g[2 * p]) - atan2(a.g[2 * p + 1], a.g[2 * p]) - p * turned, 2 * PI),
+            0, 1e-12);
+}
+
+THEOREM(the_curve_does_not_depend_on_where_it_lies_and_how_large_it_is)
+{
+    static outline o, other;
+    static const int exponent[5] = {20, -70, 300, -300, 900};
+    chance c = {63};
+    int kind, round, k;
+    size_t i;
+    for (kind = PLANE; kind < CALLBACKS; ++kind)
+        for (round = 0; round < 10; ++round) {
+            measured a, b;
+            size_t dim = kind == PLANE ? 2 : 3;
+            some_outline(&c, (enum kind)kind, 30 + one_of(&c, 10), &o);
+            CASE("%s, round %d", kind_name[kind], round);
+            a = measure(&o, NULL, 4);
+            other = o;
+            for (k = 0; k < 5; ++k) { /* powers of two, to the bit */
+                double by = power_of_two(exponent[k]), length = kind == SPHERE ? 1 : by;
+                for (i = 0; i < dim * o.n; ++i) other.corner[i] = o.corner[i] * by;
+                b = measure_only(&other, NULL, 4, P);
+                if (kind == PLANE && exponent[k] == 900) { /* an area that is none */
+                    CHECK_STATUS(b.status, SURFMINK_NOT_FINITE);
+                    continue;
+                }
+                CHECK_OK(b.status);
+                CHECK_SAME(b.mu, a.mu, P + 1);
+                CHECK_SAME(b.error, a.error, P + 1);
+                CHECK_CLOSE(b.w.length, a.w.length * length, 1e-15);
+                CHECK_CLOSE(b.g[4], a.g[4] * length, 1e-15);
+            }
+            if (kind == PLANE) continue;
+            other = o;
+            turn_about(o.normal, 1.3, other.corner, o.n);
+            turn_about(o.normal, 1.3, other.normal, o.n);
+            for (i = 0; i < 3 * o.n; ++i) other.normal[i] *= 0.3 + (double)(i / 3); /* and stretched */
+            b = measure(&other, NULL, 4);
+            is_alike(&a, &b, 1e-12);
+        }
+}
+
+/* --- the same curve by another door ------------------------------------------------------------------------------- */
+
+THEOREM(the_sphere_by_callbacks_is_the_sphere)
+{
+    static outline o;
+    chance c = {70};
+    int order, round, p;
+    for (order = 2; order <= 4; order += 2)
+        for (round = 0; round < 10; ++round) {
+            measured a, b;
+            surfmink_surface s = surfmink_sphere(&o.radius);
+            some_outline(&c, SPHERE, 20 + one_of(&c, 20), &o);
+            a = measure(&o, NULL, order);
+            o.kind = CALLBACKS;
+            b = measure(&o, NULL, order);
+            CHECK_CLOSE(b.w.length, a.w.length, 1e-14);
+            CHECK_CLOSE(b.w.turning, a.w.turning, 1e-13);
+            for (p = 0; p <= P; ++p) CHECK_NEAR(b.mu[p], a.mu[p], 1e-13);
+            for (p = 0; p <= P; ++p) CHECK_NEAR(b.error[p], a.error[p], 1e-13);
+            for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(b.g[p], a.g[p], 1e-12);
+            CHECK_OK(surfmink_curve_surface(&s, 0.25, NULL, o.corner, NULL, o.n, order, P, scratch, a.mu, a.error, a.g,
+                                            &a.w, NULL)); /* K = 1 / 2^2 */
+            CHECK_SAME(a.mu, b.mu, P + 1);
+            CHECK_SAME(a.error, b.error, P + 1);
+        }
+}
+
+THEOREM(a_plane_in_space_is_the_plane)
+{
+    static outline o, flat;
+    chance c = {71};
+    int order, round, p;
+    size_t i;
+    for (order = 2; order <= 4; order += 2)
+        for (round = 0; round < 10; ++round) {
+            measured a, b;
+            some_outline(&c, PLANE, 20 + one_of(&c, 20), &o);
+            flat = o;
+            flat.kind = EMBEDDED;
+            for (i = 0; i < o.n; ++i) {
+                memcpy(flat.corner + 3 * i, o.corner + 2 * i, 2 * sizeof *o.corner);
+                flat.corner[3 * i + 2] = 5;
+                memset(flat.normal + 3 * i, 0, 3 * sizeof *o.normal);
+                flat.normal[3 * i + 2] = 7;
+            }
+            a = measure(&o, NULL, order);
+            b = measure(&flat, NULL, order);
+            CHECK_CLOSE(b.w.length, a.w.length, 1e-15);
+            CHECK_CLOSE(b.w.turning, a.w.turning, 1e-14);
+            for (p = 0; p <= P; ++p) CHECK_NEAR(b.mu[p], a.mu[p], 1e-13);
+            for (p = 0; p <= P; ++p) CHECK_NEAR(b.error[p], a.error[p], 1e-13);
+            for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(b.g[p], a.g[p], 1e-12);
+        }
+}
+
+/* Steps by hand: what a surface contributes is l_i, alpha_i, and a_i, w_i or K_i. */
+THEOREM(edges_and_bends_are_all_that_the_surface_contributes)
+{
+    static outline o;
+    static double length[64], turning[64], bend[64], twist[64], curvature[64];
+    chance c = {72};
+    int round, p;
+    size_t i;
+    for (round = 0; round < 20; ++round) {
+        double mu[P + 1], g[2 * P + 2];
+        surfmink_functionals w;
+        measured m;
+        size_t n = 20 + one_of(&c, 30);
+        some_outline(&c, EMBEDDED, n, &o);
+        memset(o.sharp, 0, sizeof o.sharp);
+        o.sharp[4] = (unsigned char)(round % 2);
+        m = measure(&o, o.sharp, 4);
+        CHECK_OK(surfmink_edges_embedded(o.corner, o.normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_bends_embedded(o.corner, o.normal, n, bend, twist, NULL));
+        CHECK_OK(surfmink_curve_edges(length, turning, bend, twist, NULL, o.sharp, n, P, scratch, mu, g, &w));
+        CHECK_CLOSE(w.length, m.w.length, 1e-15);
+        CHECK_CLOSE(w.turning, m.w.turning, 1e-14);
+        CHECK_EQUAL(w.area, 0);
+        for (p = 0; p <= P; ++p) CHECK_NEAR(mu[p], m.mu[p], 1e-14);
+        for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(g[p], m.g[p], 1e-13);
+        some_outline(&c, SPHERE, n, &o);
+        m = measure(&o, NULL, 4);
+        for (i = 0; i < n; ++i) curvature[i] = 0.25;
+        CHECK_OK(surfmink_edges_sphere(o.corner, n, o.radius, length, turning, NULL));
+        CHECK_OK(surfmink_curve_edges(length, turning, NULL, NULL, curvature, NULL, n, P, scratch, mu, g, NULL));
+        for (p = 0; p <= P; ++p) CHECK_NEAR(mu[p], m.mu[p], 1e-14);
+        for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(g[p], m.g[p], 1e-13);
+        some_outline(&c, PLANE, n, &o);
+        m = measure(&o, NULL, 4);
+        CHECK_OK(surfmink_edges_plane(o.corner, n, length, turning, NULL));
+        CHECK_OK(surfmink_curve_edges(length, turning, NULL, NULL, NULL, NULL, n, P, scratch, NULL, g, NULL));
+        for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(g[p], m.g[p], 1e-13);
+        CHECK_OK(surfmink_curve_edges(length, turning, NULL, NULL, NULL, NULL, n, 0, scratch, mu, NULL, &w));
+        CHECK_CLOSE(w.length, m.w.length, 1e-15);
+        CHECK_EQUAL(mu[0], 1);
+    }
+}
+
+/* The same formulas once more, from their meaning: curvatures at places along a line, each sin(x) / x by itself. */
+typedef struct edges {
+    size_t n;
+    double length[16], turning[16], bend[16], twist[16], curvature[16];
+    unsigned char sharp[16];
+    int with_bends;
+} edges;
+
+static double place_of(const edges *e, size_t i, int steps, double *curving)
+{
+    size_t j = (i + e->n + (size_t)steps) % e->n, before = (j + e->n - 1) % e->n, k;
+    double at = (e->length[j] - e->length[before]) / 3, turn = e->turning[j];
+    for (k = 0; steps > 0 && k < (size_t)steps; ++k) at += e->length[(i + k) % e->n];
+    if (steps < 0) at -= e->length[j];
+    if (e->with_bends) turn += (e->bend[j] * e->twist[j] - e->bend[before] * e->twist[before]) / 6;
+    *curving = turn / (e->length[before] / 2 + e->length[j] / 2);
+    return at;
+}
+
+static int is_sharp(const edges *e, size_t i, int steps)
+{
+    return e->sharp[(i + e->n + (size_t)steps) % e->n];
+}
+
+static double swept_of(const edges *e, size_t i, double *slope)
+{
+    int from = 0, to = 1;
+    double one, two, at_one, at_two;
+    *slope = 0;
+    if (is_sharp(e, i, 0) && is_sharp(e, i, 1)) return 0;
+    if (is_sharp(e, i, 0)) from = 1, to = is_sharp(e, i, 2) ? 1 : 2;
+    if (is_sharp(e, i, 1)) to = 0, from = is_sharp(e, i, -1) ? 0 : -1;
+    at_one = place_of(e, i, from, &one);
+    at_two = place_of(e, i, to, &two);
+    if (from != to) *slope = (two - one) / (at_two - at_one);
+    return (one + *slope * (e->length[i] / 2 - at_one)) * e->length[i];
+}
+
+static double surface_between(const edges *e, size_t i, double swept)
+{
+    size_t before = (i + e->n - 1) % e->n, next = (i + 1) % e->n;
+    double l = e->length[i], t = e->twist[i] / l, down, up, change, share;
+    if (!e->with_bends) return e->curvature[i] * swept * l * l / 12;
+    down = (t - e->twist[before] / e->length[before]) / ((e->length[before] + l) / 2);
+    up = (e->twist[next] / e->length[next] - t) / ((e->length[next] + l) / 2);
+    share = (e->length[before] + l) / (e->length[before] + 2 * l + e->length[next]);
+    change = share * up + (1 - share) * down;
+    if (e->sharp[i]) change = up;
+    if (e->sharp[next]) change = e->sharp[i] ? 0 : down;
+    return (e->bend[i] * change * l * l + swept * (e->bend[i] * e->bend[i] - e->twist[i] * e->twist[i])) / 12;
+}
+
+THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
+{
+    chance c = {73};
+    int round, p, sharps;
+    for (round = 0; round < 400; ++round) {
+        edges e;
+        double swept[16], rise[16], turn[16], mu[P + 1], g[2 * P + 2], want[2 * P + 2] = {0};
+        double slope, lead = 0, total = 0, turned = 0, length = 0, phase = 0, l;
+        surfmink_functionals w;
+        size_t i, before;
+        int known;
+        e.n = 4 + one_of(&c, 13);
+        e.with_bends = round % 2;
+        for (sharps = 0, i = 0; i < e.n; ++i) {
+            e.length[i] = between(&c, 0.5, 2);
+            e.turning[i] = 2 * PI / (double)e.n + between(&c, -0.6, 0.6);
+            e.bend[i] = between(&c, -0.5, 0.5);
+            e.twist[i] = between(&c, -0.5, 0.5);
+            e.curvature[i] = between(&c, -1, 1);
+            e.sharp[i] = (unsigned char)(one_of(&c, 3) == 0);
+            sharps += e.sharp[i];
+        }
+        for (i = 0; i < e.n; ++i) {
+            swept[i] = swept_of(&e, i, &slope);
+            if (i == 0) lead = slope * e.length[0] * e.length[0] / 24;
+            rise[i] = surface_between(&e, i, swept[i]);
+        }
+        for (i = 0; i < e.n; ++i) {
+            before = (i + e.n - 1) % e.n;
+            turn[i] = e.turning[i] - (rise[before] + rise[i]) / 2;
+            if (e.with_bends) turn[i] += (e.bend[i] * e.twist[i] - e.bend[before] * e.twist[before]) / 6;
+            total += turn[i];
+            turned += fabs(turn[i]);
+        }
+        for (i = 0; i < e.n; ++i) {
+            l = e.length[i] * (1 + (swept[i] * swept[i] + (e.with_bends ? e.bend[i] * e.bend[i] : 0)) / 24);
+            length += l;
+            if (i > 0) phase += 2 * PI * turn[i] / total;
+            for (p = 1; p <= P; ++p) {
+                double x = p * PI * swept[i] / total, f = p * (phase + 2 * PI * lead / total);
+                want[2 * p] += l * (fabs(x) > 0 ? sin(x) / x : 1) * cos(f);
+                want[2 * p + 1] += l * (fabs(x) > 0 ? sin(x) / x : 1) * sin(f);
+            }
+        }
+        CASE("round %d, %d corners, %d sharp", round, (int)e.n, sharps);
+        known = surfmink_curve_edges(e.length, e.turning, e.with_bends ? e.bend : NULL, e.with_bends ? e.twist : NULL,
+                                     e.curvature, sharps ? e.sharp : NULL, e.n, P, scratch, mu, g, &w);
+        if (!(total > 1)) continue; /* that would be ill-conditioned */
+        CHECK_OK(known);
+        CHECK_CLOSE(w.length, length, 1e-14);
+        CHECK_CLOSE(w.turning, total, 1e-13);
+        CHECK_NEAR(w.curvature, 2 * PI - total, 1e-13);
+        CHECK_CLOSE(w.condition, fmax(1, turned / total), 1e-13);
+        for (p = 1; p <= P; ++p) {
+            CHECK_NEAR(mu[p], hypot(want[2 * p], want[2 * p + 1]) / length, 1e-12);
+            CHECK_NEAR(g[2 * p], want[2 * p], 1e-11);
+            CHECK_NEAR(g[2 * p + 1], want[2 * p + 1], 1e-11);
+        }
+    }
+}
+
+/* High ranks come in blocks of 24. */
+THEOREM(high_ranks_are_the_same_however_many_are_asked_for)
+{
+    static double few[31], many[101], error[101], g[202], power[202];
+    static outline o;
+    chance c = {74};
+    int p, order;
+    for (order = 2; order <= 4; order += 2) {
+        some_outline(&c, PLANE, 300, &o);
+        CHECK_OK(surfmink_curve_plane(o.corner, NULL, o.n, order, 30, scratch, few, NULL, NULL, NULL, NULL));
+        CHECK_OK(surfmink_curve_plane(o.corner, NULL, o.n, order, 100, scratch, many, error, g, NULL, NULL));
+        for (p = 0; p <= 30; ++p) CHECK_NEAR(many[p], few[p], 1e-15);
+        for (p = 0; p <= 100; ++p) CHECK_NEAR(hypot(g[2 * p], g[2 * p + 1]) / g[0], many[p], 1e-14);
+    }
+    /* A circle is 0 at all ranks, and its polygon 1 at the number of its corners. */
+    o.n = 100;
+    for (p = 0; p < 100; ++p) {
+        o.corner[2 * p] = cos(2 * PI * p / 100);
+        o.corner[2 * p + 1] = sin(2 * PI * p / 100);
+    }
+    CHECK_OK(surfmink_curve_plane(o.corner, NULL, 100, 4, 100, scratch, many, NULL, power, NULL, NULL));
+    CHECK_NEAR(many[100], 0, 1e-12); /* sin(pi) / pi */
+    for (p = 0; p < 100; ++p) o.sharp[p] = 1;
+    CHECK_OK(surfmink_curve_plane(o.corner, o.sharp, 100, 4, 100, scratch, many, NULL, power, NULL, NULL));
+    CHECK_NEAR(many[100], 1, 1e-12); /* the polygon itself */
+    CHECK_NEAR(many[50], 0, 1e-12);
+}
+
+/* On a sphere of radius R the normal turns over by the angle between its ends, and not about the edge. */
+THEOREM(bends_of_a_sphere_and_of_a_cylinder_are_known)
+{
+    double corner[12], bend[4], twist[4], normal[12], a, t;
+    size_t i, bad = 9;
+    for (i = 0; i < 4; ++i) {
+        corner[3 * i] = 3 * sin(0.2) * cos(PI / 2 * (double)i);
+        corner[3 * i + 1] = 3 * sin(0.2) * sin(PI / 2 * (double)i);
+        corner[3 * i + 2] = 3 * cos(0.2);
+    }
+    CHECK_OK(surfmink_bends_embedded(corner, corner, 4, bend, twist, &bad));
+    a = sqrt(2) * sin(0.2); /* chord of the unit sphere, = |dn| */
+    for (i = 0; i < 4; ++i) CHECK_NEAR(bend[i], -a, 1e-15);
+    for (i = 0; i < 4; ++i) CHECK_NEAR(twist[i], 0, 1e-15);
+    for (i = 0; i < 4; ++i) { /* helices on the unit cylinder about the z axis */
+        t = 0.1 * (i == 1 || i == 2);
+        corner[3 * i] = normal[3 * i] = cos(t);
+        corner[3 * i + 1] = normal[3 * i + 1] = sin(t);
+        corner[3 * i + 2] = i >= 2 ? 0.1 : i == 1 ? 0.1 * 0.75 : 0;
+        normal[3 * i + 2] = 0;
+    }
+    CHECK_OK(surfmink_bends_embedded(corner, normal, 4, bend, twist, NULL));
+    a = 2 * sin(0.05); /* dn = a along the circle; the edge rises by 0.075 */
+    CHECK_NEAR(bend[0], -a * a / hypot(a, 0.075), 1e-15);
+    CHECK_NEAR(twist[0], a * 0.075 / hypot(a, 0.075), 1e-15);
+    CHECK_EQUAL(bad, 9);
+}
+
+/* --- errors ------------------------------------------------------------------------------------------------------- */
+
+static void is_refused(const measured *m, int status, size_t bad)
+{
+    measured blank;
+    memset(&blank, 0x5a, sizeof blank);
+    CHECK_STATUS(m->status, status);
+    CHECK_EQUAL(m->bad, bad);
+    CHECK(memcmp(m->mu, blank.mu, sizeof m->mu) == 0 && memcmp(m->error, blank.error, sizeof m->error) == 0);
+    CHECK(memcmp(m->g, blank.g, sizeof m->g) == 0 && memcmp(&m->w, &blank.w, sizeof m->w) == 0);
+}
+
+THEOREM(a_bad_outline_is_named_and_changes_nothing)
+{
+    static outline o, good;
+    chance c = {80};
+    measured m;
+    int kind, order;
+    for (kind = PLANE; kind < KINDS; ++kind)
+        for (order = 2; order <= 4; order += 2) {
+            size_t dim = kind == PLANE ? 2 : 3, k;
+            some_outline(&c, (enum kind)kind, 12, &good);
+            CASE("%s, order %d", kind_name[kind], order);
+            o = good;
+            o.n = 2;
+            m = measure_only(&o, NULL, order, P);
+            is_refused(&m, SURFMINK_TOO_FEW_CORNERS, 2);
+            o = good;
+            o.corner[5 * dim] = nan("");
+            m = measure_only(&o, NULL, order, P);
+            is_refused(&m, SURFMINK_NOT_FINITE, kind == CALLBACKS ? 4 : 5);
+            o = good;
+            for (k = 0; k < dim; ++k) o.corner[4 * dim + k] = o.corner[3 * dim + k];
+            m = measure_only(&o, NULL, order, P);
+            is_refused(&m, SURFMINK_COINCIDENT_CORNERS, kind == CALLBACKS ? 3 : 4);
+            o = good;
+            surfmink_reverse(o.corner, o.n, dim);
+            surfmink_reverse(o.normal, o.n, 3);
+            m = measure_only(&o, NULL, order, P);
+            is_refused(&m, SURFMINK_CLOCKWISE, o.n);
+            m = measure_only(&good, NULL, order, -1);
+            is_refused(&m, SURFMINK_BAD_ARGUMENT, o.n);
+            m = measure_only(&good, NULL, 3, P);
+            is_refused(&m, SURFMINK_BAD_ARGUMENT, o.n);
+            if (kind != SPHERE) continue;
+            for (k = 0; k < 4; ++k) {
+                static const double radius[3] = {-1, 0, 1e308};
+                o = good;
+                o.radius = k < 3 ? radius[k] : nan("");
+                m = measure_only(&o, NULL, order, P);
+                is_refused(&m, SURFMINK_BAD_ARGUMENT, o.n);
+            }
+        }
+}
+
+/* Normals that turn over between two corners: plausible one by one. */
+THEOREM(opposite_normals_of_neighbours_are_refused)
+{
+    static outline o;
+    chance c = {81};
+    measured m;
+    double bend[12], twist[12];
+    size_t bad = 0, k, at;
+    int round;
+    for (round = 0; round < 3; ++round) { /* from corner 4 to 5, 10 to 11, 11 to 0 */
+        at = round == 0 ? 5 : 11;
+        some_outline(&c, EMBEDDED, 12, &o);
+        for (k = 0; k < 3; ++k) o.normal[3 * at + k] = -o.normal[(round < 2 ? 3 * at - 3 : 0) + k];
+        bend[0] = twist[0] = 7;
+        CHECK_STATUS(surfmink_bends_embedded(o.corner, o.normal, 12, bend, twist, &bad), SURFMINK_ZERO_NORMAL);
+        CHECK_EQUAL(bad, at);
+        CHECK_EQUAL(bend[0], 7);
+        CHECK_EQUAL(twist[0], 7);
+        m = measure_only(&o, NULL, 4, P);
+        is_refused(&m, SURFMINK_ZERO_NORMAL, at);
+    }
+    CHECK_STATUS(surfmink_bends_embedded(o.corner, o.normal, 2, bend, twist, &bad), SURFMINK_TOO_FEW_CORNERS);
+    CHECK_EQUAL(bad, 2);
+}
+
+/* Turns of 0.1 in all, and a surface with K > 0 that takes that away between edges and arcs. */
+THEOREM(a_curve_whose_s_is_not_positive_is_refused)
+{
+    double length[6], turning[6], curvature[6], mu[1] = {7};
+    static const double k[3] = {11.999999, 12, 13};
+    static const int status[3] = {SURFMINK_OK, SURFMINK_TOO_MUCH_CURVATURE, SURFMINK_CLOCKWISE};
+    surfmink_functionals w;
+    size_t i, j;
+    for (j = 0; j < 3; ++j) {
+        for (i = 0; i < 6; ++i) {
+            length[i] = 1;
+            turning[i] = 0.1 / 6;
+            curvature[i] = k[j];
+        }
+        mu[0] = 7;
+        CHECK_STATUS(surfmink_curve_edges(length, turning, NULL, NULL, curvature, NULL, 6, 0, scratch, mu, NULL, &w),
+                     status[j]);
+        CHECK_EQUAL(mu[0], status[j] == SURFMINK_OK ? 1 : 7);
+    }
+    CHECK_NEAR(w.turning, 0.1 * 1e-6 / 12, 1e-13);
+}
+
+THEOREM(edges_that_are_none_are_refused)
+{
+    double length[6], turning[6], bend[6] = {0}, twist[6] = {0}, curvature[6] = {0}, mu[3] = {7};
+    size_t i;
+    for (i = 0; i < 6; ++i) {
+        length[i] = 1;
+        turning[i] = PI / 3;
+    }
+    CHECK_OK(surfmink_curve_edges(length, turning, bend, twist, curvature, NULL, 6, 2, scratch, mu, NULL, NULL));
+    mu[0] = 7;
+#define REFUSES(a, w, k, n, rank, status) \
+    CHECK_STATUS(surfmink_curve_edges(length, turning, a, w, k, NULL, n, rank, scratch, mu, NULL, NULL), status)
+    REFUSES(bend, NULL, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
+    REFUSES(NULL, twist, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
+    REFUSES(NULL, NULL, NULL, 6, -1, SURFMINK_BAD_ARGUMENT);
+    REFUSES(NULL, NULL, NULL, 2, 2, SURFMINK_TOO_FEW_CORNERS);
+    length[5] = 0;
+    REFUSES(NULL, NULL, NULL, 6, 2, SURFMINK_COINCIDENT_CORNERS);
+    length[5] = -1;
+    REFUSES(NULL, NULL, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
+    length[5] = 1;
+    bend[5] = nan("");
+    REFUSES(bend, twist, NULL, 6, 2, SURFMINK_NOT_FINITE);
+    bend[5] = 0;
+    twist[5] = HUGE_VAL;
+    REFUSES(bend, twist, NULL, 6, 2, SURFMINK_NOT_FINITE);
+    curvature[5] = nan("");
+    REFUSES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
+    for (i = 0; i < 6; ++i) turning[i] = 1e200; /* and curves that wind as often are longer than anything */
+    REFUSES(NULL, NULL, NULL, 6, 2, SURFMINK_NOT_FINITE);
+    for (i = 0; i < 6; ++i) turning[i] = PI / 3;
+    curvature[5] = 1e308; /* finite, but not what it makes of an edge */
+    length[5] = 10;
+    REFUSES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
+    CHECK_EQUAL(mu[0], 7);
+#undef REFUSES
+}
+
+/* Torsion of an edge that is next to nothing beside its neighbours. */
+THEOREM(lengths_too_unlike_to_divide_by_are_refused_and_not_nonsense)
+{
+    double length[6], turning[6], bend[6], twist[6], mu[3] = {7}, least;
+    int status, ok = 0, refused = 0;
+    size_t i;
+    for (least = 1e40; least > 0; least *= 1e-4) { /* down to denormals, which go under beside 1e40 */
+        for (i = 0; i < 6; ++i) {
+            length[i] = i == 2 ? least : 1e40;
+            turning[i] = PI / 3;
+            bend[i] = 0.1;
+            twist[i] = i == 2 ? 1 : 0.1;
+        }
+        mu[1] = 7;
+        status = surfmink_curve_edges(length, turning, bend, twist, NULL, NULL, 6, 2, scratch, mu, NULL, NULL);
+        if (status == SURFMINK_OK) CHECK(mu[1] >= 0 && mu[1] <= 1);
+        if (status != SURFMINK_OK) CHECK_EQUAL(mu[1], 7);
+        ok += status == SURFMINK_OK;
+        refused += status == SURFMINK_NOT_FINITE;
+    }
+    CHECK(ok > 1);
+    CHECK(refused > 1);
+}
+
+/* Callbacks that fail at their k-th call, for all k; a curvature that is none. */
+static struct {
+    int logs, curvatures; /* calls until one fails */
+    int status;
+    double curvature;
+} fails;
+
+static int log_that_fails(void *context, const double *x, const double *y, double *length, double direction[2])
+{
+    if (fails.logs-- == 0) return fails.status;
+    return hyperbolic_log(context, x, y, length, direction);
+}
+
+static int curvature_that_fails(void *context, const double *x, double *curvature)
+{
+    (void)context;
+    (void)x;
+    *curvature = fails.curvature;
+    return fails.curvatures-- == 0 ? fails.status : SURFMINK_OK;
+}
+
+THEOREM(a_callback_that_fails_is_reported_with_its_corner)
+{
+    enum { N = 10 };
+    double corner[2 * N];
+    surfmink_surface s = hyperbolic_plane();
+    measured m;
+    int k, order;
+    size_t i;
+    s.log = log_that_fails;
+    for (i = 0; i < N; ++i) {
+        corner[2 * i] = 0.3 * cos(2 * PI * (double)i / N);
+        corner[2 * i + 1] = 0.3 * sin(2 * PI * (double)i / N);
+    }
+#define MEASURE(by)                                                                                                \
+    (memset(&m, 0x5a, sizeof m), m.status = surfmink_curve_surface(&s, -1, by, corner, NULL, N, order, P, scratch, \
+                                                                   m.mu, m.error, m.g, &m.w, &m.bad))
+    for (order = 2; order <= 4; order += 2)
+        for (k = 0; k < 2 * N + 1; ++k) {
+            fails.status = SURFMINK_ANTIPODAL_CORNERS;
+            fails.logs = k;
+            MEASURE(NULL);
+            if (k < 2 * N)
+                is_refused(&m, SURFMINK_ANTIPODAL_CORNERS, (size_t)k / 2);
+            else /* measured; but for every second corner it was asked once more */
+                is_unknown(&m);
+        }
+    order = 4;
+    fails.logs = -1;
+    fails.curvature = -1;
+    for (k = 0; k < 2 * N; ++k) {
+        fails.status = k % 2 ? 99 : SURFMINK_ANTIPODAL_CORNERS;
+        fails.curvatures = k;
+        MEASURE(curvature_that_fails);
+        if (k < N)
+            is_refused(&m, k % 2 ? SURFMINK_CALLBACK_FAILED : SURFMINK_ANTIPODAL_CORNERS, (size_t)k);
+        else
+            is_unknown(&m);
+    }
+    fails.curvatures = -1;
+    MEASURE(curvature_that_fails);
+    CHECK_OK(m.status);
+    CHECK(m.error[3] < 1);
+    fails.curvature = nan("");
+    MEASURE(curvature_that_fails);
+    is_refused(&m, SURFMINK_CALLBACK_FAILED, 0);
+    m.status =
+        surfmink_curve_surface(&s, nan(""), NULL, corner, NULL, N, 4, P, scratch, NULL, NULL, NULL, NULL, &m.bad);
+    CHECK_STATUS(m.status, SURFMINK_NOT_FINITE);
+    CHECK_EQUAL(m.bad, N);
+    s.log = NULL;
+    MEASURE(NULL);
+    is_refused(&m, SURFMINK_BAD_ARGUMENT, N);
+#undef MEASURE
+}
+
+/* An octagon whose length a double can hold, a narrow rectangle whose area it can; but not those of the curves. */
+THEOREM(a_length_or_an_area_that_overflows_is_refused)
+{
+    static outline o;
+    size_t i;
+    measured m;
+    o.kind = PLANE;
+    o.n = 4;
+    for (i = 0; i < o.n; ++i) {
+        o.corner[2 * i] = i == 1 || i == 2 ? 2.5e154 : 0;
+        o.corner[2 * i + 1] = i >= 2 ? 1e150 : 0;
+    }
+    m = measure_only(&o, NULL, 2, P);
+    CHECK_OK(m.status);
+    m = measure_only(&o, NULL, 4, P);
+    is_refused(&m, SURFMINK_NOT_FINITE, o.n);
+    o.kind = EMBEDDED;
+    o.n = 8;
+    memset(o.normal, 0, sizeof o.normal);
+    for (i = 0; i < o.n; ++i) {
+        double t = 2 * PI * (double)i / (double)o.n, size = 1.797e308 / (16 * sin(PI / 8));
+        o.corner[3 * i] = size * cos(t);
+        o.corner[3 * i + 1] = size * sin(t);
+        o.corner[3 * i + 2] = 0;
+        o.normal[3 * i + 2] = 1;
+    }
+    m = measure_only(&o, NULL, 2, P);
+    CHECK_OK(m.status);
+    m = measure_only(&o, NULL, 4, P);
+    is_refused(&m, SURFMINK_NOT_FINITE, o.n);
+}
+
+int main(void)
+{
+    PROVE(order_4_is_the_documented_scheme);
+    PROVE(flowers_on_a_sphere_an_ellipsoid_and_a_torus_converge_at_fourth_order);
+    PROVE(curves_of_the_plane_converge_at_fourth_order);
+    PROVE(a_corner_called_sharp_where_the_curve_is_smooth_costs_no_order);
+    PROVE(without_the_corrections_the_same_curves_converge_at_second_order);
+    PROVE(circles_of_the_hyperbolic_plane_converge_at_fourth_order);
+    PROVE(areas_converge_at_fourth_order_too);
+    PROVE(corners_or_normals_off_by_a_hundredth_take_the_gain_away);
+    PROVE(arcs_between_sharp_corners_converge_at_fourth_order_if_the_corners_are_marked_and_at_first_if_not);
+    PROVE(half_an_ellipse_with_its_two_corners_marked_converges_at_fourth_order);
+    PROVE(a_polygon_with_all_corners_marked_is_what_the_polygon_is);
+    PROVE(on_the_sides_of_a_polygon_order_4_errs_at_first_order_unless_its_corners_are_marked);
+    PROVE(nearly_all_errors_are_within_a_factor_of_two_of_their_estimates);
+    PROVE(of_a_circle_the_estimate_of_the_length_is_known);
+    PROVE(where_nothing_can_be_said_the_estimate_is_one);
+    PROVE(every_output_may_be_left_out);
+    PROVE(order_2_is_the_measure_of_the_polygon_to_the_bit);
+    PROVE(the_curve_does_not_depend_on_which_corner_comes_first);
+    PROVE(components_at_another_edge_differ_by_a_rotation);
+    PROVE(the_curve_does_not_depend_on_where_it_lies_and_how_large_it_is);
+    PROVE(the_sphere_by_callbacks_is_the_sphere);
+    PROVE(a_plane_in_space_is_the_plane);
+    PROVE(edges_and_bends_are_all_that_the_surface_contributes);
+    PROVE(the_scheme_is_its_formulas_whatever_the_edges);
+    PROVE(high_ranks_are_the_same_however_many_are_asked_for);
+    PROVE(bends_of_a_sphere_and_of_a_cylinder_are_known);
+    PROVE(a_bad_outline_is_named_and_changes_nothing);
+    PROVE(opposite_normals_of_neighbours_are_refused);
+    PROVE(a_curve_whose_s_is_not_positive_is_refused);
+    PROVE(edges_that_are_none_are_refused);
+    PROVE(lengths_too_unlike_to_divide_by_are_refused_and_not_nonsense);
+    PROVE(a_callback_that_fails_is_reported_with_its_corner);
+    PROVE(a_length_or_an_area_that_overflows_is_refused);
+    return QED();
+}
