@@ -1,4 +1,4 @@
-/* surfmink.h - v0.2.1 - surface Minkowski tensors of closed curves - MIT or public domain, as you like (end of file)
+/* surfmink.h - v0.3.0 - surface Minkowski tensors of closed curves - MIT or public domain, as you like (end of file)
 
    One header, C99 and C++, only libm, no allocation, no global state.
 
@@ -22,9 +22,11 @@
        1 measure    edge lengths l_i, turning angles alpha_i     plane | sphere | embedded surface | callbacks
        2 transport  phases f_i                                   defect-corrected | classical parallel transport
        3 integrate  irreducible components g_p, p = 0..P         the full tensors W_1^p from them
-       4 spectrum   lambda_p, mu_p, eigenvector angles theta     eigenvectors in the plane or in space
+       4 spectrum   lambda_p, mu_p, eigenvector angles theta     eigenvectors in space, directions at the centre
      surfmink_measure_* walks through all four; everything after step 1 knows only l_i and alpha_i, not the surface.
      surfmink_batch_* does so for many outlines at once, with the vector instructions of the machine.
+     surfmink_curve_* measures the smooth curve through the corners, to fourth order, and says how far off it may be.
+     surfmink_gradient_* goes the way back: weights of mu_p, theta_p, g_p and L -> derivatives by corners and normals.
 
    CONVENTIONS
      corner x_i     x_0 .. x_{n-1}, counter-clockwise about the outer normal, the first not repeated at the end
@@ -76,6 +78,8 @@
      at any size of the outline, 3 to 1e5 corners (1e7 lose nothing, but there is no proof in higher precision). make
      accuracy holds all ways to measure against quadruple precision: cells of size 1e-12, corners off the sphere, edges
      steep against the tangent plane, needles, spikes, spirals, near great circles; docs/trust.md has the worst found.
+     c is about rounding, not about errors of the corners themselves: one that is off by e may change mu_p by 2 pi p e /
+     (S l) or so, with l the length of its edges. Convex outlines have c = 1 however small S is.
      Angles come from differences of corners and atan2, never arccos; long sums are compensated. Single calls and
      batches share their formulas. Outlines that are ordinary go through them as they are; others (extreme units,
      spikes, steep or very long edges, wide windings, S below 0.5, all that is refused) are measured corner by corner
@@ -101,16 +105,17 @@
      1e-14 (1 + c')^2. And -ffast-math lets NaN and infinity pass unrefused.
 
    HISTORY
+     0.3.0  smooth curves to fourth order, error estimates; gradients; directions at the centre
      0.2.1  every outline to 1e-14 (1 + c), great circles and spirals included; the same bits from more compilers
      0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
      0.1.0  the four steps, the four kinds of surfaces, transports, tensors, helpers */
 #ifndef SURFMINK_H
 #define SURFMINK_H
 
-#define SURFMINK_VERSION       "0.2.1"
+#define SURFMINK_VERSION       "0.3.0"
 #define SURFMINK_VERSION_MAJOR 0
-#define SURFMINK_VERSION_MINOR 2
-#define SURFMINK_VERSION_PATCH 1
+#define SURFMINK_VERSION_MINOR 3
+#define SURFMINK_VERSION_PATCH 0
 
 #include <stddef.h> /* size_t, ptrdiff_t */
 

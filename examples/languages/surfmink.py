@@ -29,7 +29,7 @@ import numpy as np
 
 # --- the C side -------------------------------------------------------------------------------------------------------
 
-ABI = "0.2"  # of the library: numbers of the version that decide whether this file fits it
+ABI = "0.3"  # of the library: numbers of the version that decide whether this file fits it
 
 
 class _Functionals(ctypes.Structure):
