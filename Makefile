@@ -1,6 +1,6 @@
 # surfmink is one header: copy surfmink.h, there is nothing to build. This file builds what stands around it.
 #
-#   make            the commands: .build/surfmink, .build/levelset, .build/tissue
+#   make            the commands: .build/surfmink, .build/levelset, .build/tissue, .build/relax
 #   make demo       measures countries, the H3 grid and a tissue; pictures in .build/demo/
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make pictures   the pictures of docs/theory.md, and the numbers behind them, in .build/pictures/
@@ -41,7 +41,7 @@ library_link = libsurfmink.so
 LIBRARY_FLAGS = -shared -Wl,-soname,$(library_abi)
 endif
 
-commands = surfmink levelset tissue
+commands = surfmink levelset tissue relax
 experiments = $(patsubst examples/paper/%.c,$(BUILD)/paper_%,$(wildcard examples/paper/*.c))
 theories = $(patsubst examples/theory/%.c,$(BUILD)/theory_%,$(wildcard examples/theory/*.c))
 theorems = $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/test_*.c))
@@ -61,7 +61,7 @@ $(BUILD)/%: examples/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
-# The implementation is compiled once for all tests but one, which looks inside, and for the pictures.
+# The implementation is compiled once for all tests but two, which look inside, and for the pictures.
 $(BUILD)/surfmink.o: surfmink.h
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTATION $(CPPFLAGS) -I. $(CFLAGS) -x c -c $< -o $@
@@ -69,7 +69,7 @@ $(BUILD)/surfmink.o: surfmink.h
 $(BUILD)/test_%: tests/test_%.c $(BUILD)/surfmink.o $(headers)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTED $(CPPFLAGS) -I. $(CFLAGS) $< $(BUILD)/surfmink.o -o $@ $(LDFLAGS) $(LDLIBS)
 
-$(BUILD)/test_batch: tests/test_batch.c $(headers)
+$(BUILD)/test_batch $(BUILD)/test_gradient: $(BUILD)/%: tests/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
@@ -118,6 +118,7 @@ test: all $(theorems) $(theories)
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
 	  "sh tests/test_pictures.sh $(BUILD)/surfmink" \
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
+	  "sh tests/test_relax.sh $(BUILD)/relax $(BUILD)/tissue $(BUILD)/surfmink" \
 	  "sh tests/test_abuse.sh $(BUILD)" \
 	  "sh tests/test_scaling.sh $(BUILD)/surfmink" \
 	  "sh tests/test_fuzzed.sh" \

@@ -289,7 +289,8 @@ STAGES = { # how the implementation is compiled, and the tests
     'strict': (STRICT + ['-DSURFMINK_NO_SIMD'], ['gcc', '-O1'] + SANITIZE),
     'strict vector': (STRICT, ['gcc', '-O1'] + SANITIZE)}
 FLAGS = ['-std=c99', '-DFEWER=20']
-BATCHES = 'test_batch' # the one that looks inside, and what only vectors do
+BATCHES = 'test_batch' # looks inside, and at what only vectors do
+VECTORS = [BATCHES, 'test_gradient']
 
 
 def run(command, cwd, seconds=None, **environment):
@@ -355,14 +356,18 @@ class Judge:
         self.write(os.path.join(folder, 'library.c'), LIBRARY_C)
 
     def inside(self):
-        """Declarations of what test_batch.c uses of the implementation."""
-        wanted = [r'enum surfmink__kind \{.*?\};', r'typedef struct surfmink__job \{.*?\} surfmink__job;',
+        """Declarations of what test_batch.c and test_gradient.c use of the implementation."""
+        wanted = [r'enum surfmink__kind \{.*?\};', r'typedef struct surfmink__back \{.*?\} surfmink__back;',
+                  r'typedef struct surfmink__job \{.*?\} surfmink__job;',
+                  r'typedef struct surfmink__outline \{.*?\} surfmink__outline;',
                   r'typedef void surfmink__measure_window\(.*?\);']
         text = '#define SURFMINK__PLAIN 0\n#define SURFMINK__SSE2 1\n#define SURFMINK__AVX2 2\n' \
                '#define SURFMINK__AVX512 3\n#define SURFMINK__NEON 4\n#define SURFMINK__NATIVE 0\n'
         for what in wanted: text += re.search(what, self.header.text, re.S).group() + '\n'
         for what in (r'surfmink__job surfmink__job_of\(.*?\)', r'size_t surfmink__batch\(.*?\)',
-                     r'surfmink__measure_window \*surfmink__choose\(void\)'):
+                     r'surfmink__measure_window \*surfmink__choose\(void\)',
+                     r'surfmink__outline surfmink__outline_of\(.*?\)', r'surfmink__back surfmink__pulls\(.*?\)',
+                     r'surfmink__outline surfmink__outline_sphere\(.*?\)', r'int surfmink__quickly\(.*?\)'):
             text += re.search(r'static (%s)\n\{' % what, self.header.text, re.S).group(1) + ';\n'
         return text + 'surfmink__measure_window surfmink__window;\n'
 
@@ -385,7 +390,7 @@ class Judge:
         """Builds the tests of a stage when it is needed first, and times their theorems on the header as it is."""
         with self.preparing:
             if stage in self.prepared: return
-            tests = [BATCHES] if stage == 'avx' or 'vector' in stage else self.tests
+            tests = [BATCHES] if stage == 'avx' else VECTORS if 'vector' in stage else self.tests
             compiler = ['tcc'] if self.few and stage == 'plain' else STAGES[stage][1]
             if not self.build(stage, self.unmutated): sys.exit('mutants.py: surfmink.h does not compile (%s)' % stage)
             for test in tests if compiler else []:

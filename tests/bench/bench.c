@@ -261,12 +261,17 @@ static size_t corners_in_cache(int surface, int set, int max_rank)
 static void prepare(table *t, size_t corners, int max_rank, int no_scratch)
 {
     task *w = &t->work;
+    size_t i;
     w->in = make_outlines((enum surface)t->surface, (size_t)t->set, corners);
     corners = w->in.offset[w->in.count];
     w->max_rank = max_rank;
     w->no_scratch = no_scratch;
     w->seen = 0;
-    w->scratch = (double *)reserve(corners, 2 * sizeof *w->scratch);
+    w->scratch = (double *)reserve(corners, 6 * sizeof *w->scratch);
+    w->by_corner = (double *)reserve(corners, w->in.dim * sizeof *w->by_corner);
+    w->by_normal = w->in.normal ? (double *)reserve(corners, 3 * sizeof *w->by_normal) : NULL;
+    w->weight = (double *)reserve(w->in.count, (ranks_of(w) + 1) * sizeof *w->weight);
+    for (i = 0; i < w->in.count * (ranks_of(w) + 1); ++i) w->weight[i] = 1 / (double)(i % 7 + 1);
     memset(&w->out, 0, sizeof w->out);
     w->out.status = (int *)reserve(w->in.count, sizeof *w->out.status);
     w->out.length = (double *)reserve(w->in.count, sizeof *w->out.length);
@@ -288,6 +293,9 @@ static double clear(table *t)
     for (i = 0; i < w->in.count; ++i) sum += w->out.status[i];
     free_outlines(&w->in);
     free(w->scratch);
+    free(w->by_corner);
+    free(w->by_normal);
+    free(w->weight);
     free(w->out.status);
     free(w->out.length);
     free(w->out.turning);
@@ -352,7 +360,7 @@ static void print_machine(double rate)
 static void print_columns(void)
 {
     int i;
-    for (i = 0; i < COLUMNS; ++i) printf("%-11s%s\n", column_name[i], column[i].meaning);
+    for (i = 0; i < COLUMNS; ++i) printf("%-15s%s\n", column_name[i], column[i].meaning);
 }
 
 static void print_start(int tsv, double rate)
@@ -391,7 +399,7 @@ static void print_table(const table *t, double rate)
     for (i = 0; i < COLUMNS; ++i) {
         if (t->passes[i] == 0) continue;
         s = summarize(t, i, rate);
-        printf("%-12s%10.2f%10.2f%9.1f%10.1f%12.2f%12.2f\n", column_name[i], s.fastest, s.median, s.spread, s.ticks,
+        printf("%-15s%7.2f%10.2f%9.1f%10.1f%12.2f%12.2f\n", column_name[i], s.fastest, s.median, s.spread, s.ticks,
                s.times[0], s.times[1]);
     }
 }

@@ -14,9 +14,11 @@ typedef struct task {
     outlines in;
     surfmink_results out;
     int max_rank;
-    double *scratch; /* 2 doubles a corner */
-    int no_scratch;  /* the batch has to do without */
-    double seen;     /* what the columns without results make of their input */
+    double *scratch; /* 6 doubles a corner: what gradients need; batches take two */
+    double *by_corner, *by_normal;
+    double *weight; /* of mu, P + 1 an outline, then of L, one an outline */
+    int no_scratch; /* the batch has to do without */
+    double seen;    /* what the columns without results make of their input */
 } task;
 
 /* Works on the outlines first .. last - 1. */
@@ -380,6 +382,59 @@ static void run_batch(task *t, size_t first, size_t last)
         surfmink_batch_embedded(t->in.corner, t->in.normal, offset, count, t->max_rank, &out, scratch);
 }
 
+/* Weights of all mu_p, and of L. */
+static surfmink_weights weights_from(const task *t, size_t first)
+{
+    surfmink_weights weights = {NULL, NULL, NULL, NULL, 0};
+    weights.mu = t->weight + ranks_of(t) * first;
+    weights.length = t->weight + ranks_of(t) * t->in.count + first;
+    return weights;
+}
+
+static void run_gradient(task *t, size_t first, size_t last)
+{
+    surfmink_functionals w = {0, 0, 0, 0, 0};
+    size_t i;
+    for (i = first; i < last; ++i) {
+        size_t at = t->in.dim * t->in.offset[i], n = t->in.offset[i + 1] - t->in.offset[i], ranks = ranks_of(t);
+        const double *corner = t->in.corner + at;
+        double *mu = t->out.mu + ranks * i, *g = t->out.g + 2 * ranks * i, *by_corner = t->by_corner + at;
+        surfmink_weights weights = weights_from(t, i);
+        if (t->in.surface == PLANE)
+            t->out.status[i] =
+                surfmink_gradient_plane(corner, n, t->max_rank, &weights, mu, g, &w, by_corner, t->scratch, NULL);
+        else if (t->in.surface == SPHERE)
+            t->out.status[i] =
+                surfmink_gradient_sphere(corner, n, 1.0, t->max_rank, &weights, mu, g, &w, by_corner, t->scratch, NULL);
+        else
+            t->out.status[i] = surfmink_gradient_embedded(corner, t->in.normal + at, n, t->max_rank, &weights, mu, g,
+                                                          &w, by_corner, t->by_normal + at, t->scratch, NULL);
+        t->out.length[i] = w.length;
+        t->out.turning[i] = w.turning;
+    }
+}
+
+static void run_batch_gradient(task *t, size_t first, size_t last)
+{
+    const size_t *offset = t->in.offset + first, count = last - first;
+    surfmink_weights weights = weights_from(t, first);
+    surfmink_results out = t->out;
+    out.status += first;
+    out.length += first;
+    out.turning += first;
+    out.mu += ranks_of(t) * first;
+    out.g += 2 * ranks_of(t) * first;
+    if (t->in.surface == PLANE)
+        surfmink_batch_gradient_plane(t->in.corner, offset, count, t->max_rank, &weights, &out, t->by_corner,
+                                      t->scratch);
+    else if (t->in.surface == SPHERE)
+        surfmink_batch_gradient_sphere(t->in.corner, offset, count, 1.0, t->max_rank, &weights, &out, t->by_corner,
+                                       t->scratch);
+    else
+        surfmink_batch_gradient_embedded(t->in.corner, t->in.normal, offset, count, t->max_rank, &weights, &out,
+                                         t->by_corner, t->by_normal, t->scratch);
+}
+
 /* --- bounds: nobody is quicker than memory ------------------------------------------------------------------------ */
 
 /* Eight sums side by side: one alone would wait for its additions, not for memory. */
@@ -419,9 +474,10 @@ static void run_read_write(task *t, size_t first, size_t last)
 
 /* --- all of them, in the order of the tables ---------------------------------------------------------------------- */
 
-enum { PAPER, LIBM, FLAT, SINGLE, BATCH, BATCH_ALL, READ, READ_WRITE, COLUMNS };
+enum { PAPER, LIBM, FLAT, SINGLE, BATCH, BATCH_ALL, GRADIENT, BATCH_GRADIENT, READ, READ_WRITE, COLUMNS };
 
-static const char *const column_name[COLUMNS] = {"A", "B", "C", "single", "batch", "batch-all", "read", "read-write"};
+static const char *const column_name[COLUMNS] = {
+    "A", "B", "C", "single", "batch", "batch-all", "gradient", "batch-gradient", "read", "read-write"};
 
 static const struct {
     column_function *run;
@@ -434,6 +490,8 @@ static const struct {
     {run_single, 1e-12, "surfmink_measure_* for every outline"},
     {run_batch, 0, "surfmink_batch_*, one core"},
     {run_batch, 1e-12, "surfmink_batch_*, all cores (or --threads)"},
+    {run_gradient, 1e-12, "surfmink_gradient_* for every outline: mu, g and the gradient by corners and normals"},
+    {run_batch_gradient, 1e-12, "surfmink_batch_gradient_*, one core"},
     {run_read, 0, "bound: a sum over corners, normals and offsets"},
     {run_read_write, 0, "bound: the same, and memset of all results"},
 };

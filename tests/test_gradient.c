@@ -1,0 +1,1327 @@
+/* Gradients: reverse accumulation says what differentiating the formulas says.
+   cc -I. tests/test_gradient.c -lm && ./a.out
+
+   The formulas are written again here, from the paper, with angles between projected edges and a sine and cosine for
+   every rank, in dual numbers of long double: value and derivative along a direction, exact up to rounding. Differences
+   are relative to the norm of the gradient. */
+#define SURFMINK_DISPATCH /* all instances in one program, where the compiler can */
+#define SURFMINK_IMPLEMENTATION
+#include "surfmink.h"
+
+#include <stdlib.h>
+
+#include "harness.h"
+#include "shapes.h"
+
+#ifndef FEWER
+#define FEWER 1 /* outlines, by this factor: for slow machines */
+#endif
+#ifndef OUTLINES
+#define OUTLINES (300 / FEWER) /* of each surface; more of them find worse ones: docs/beyond.md */
+#endif
+
+enum surface { PLANE, SPHERE, EMBEDDED, SURFACES };
+static const char *const surface_name[SURFACES] = {"plane", "sphere", "embedded"};
+
+enum { CORNERS = 1200, TOP = 60 /* ranks */, NUMBERS = 3 * CORNERS };
+
+/* --- dual numbers ------------------------------------------------------------------------------------------------- */
+
+typedef struct dual {
+    long double v, d; /* value, derivative */
+} dual;
+
+static dual number(long double v, long double d)
+{
+    dual x;
+    x.v = v;
+    x.d = d;
+    return x;
+}
+
+static dual plus(dual a, dual b)
+{
+    return number(a.v + b.v, a.d + b.d);
+}
+
+static dual minus(dual a, dual b)
+{
+    return number(a.v - b.v, a.d - b.d);
+}
+
+static dual times(dual a, dual b)
+{
+    return number(a.v * b.v, a.d * b.v + a.v * b.d);
+}
+
+static dual over(dual a, dual b)
+{
+    return number(a.v / b.v, (a.d - a.v / b.v * b.d) / b.v);
+}
+
+static dual root(dual a)
+{
+    long double v = sqrtl(a.v);
+    return number(v, a.d / (2 * v));
+}
+
+static dual angle_of(dual y, dual x)
+{
+    long double square = x.v * x.v + y.v * y.v;
+    return number(atan2l(y.v, x.v), (x.v * y.d - y.v * x.d) / square);
+}
+
+static dual dot(const dual *a, const dual *b)
+{
+    return plus(plus(times(a[0], b[0]), times(a[1], b[1])), times(a[2], b[2]));
+}
+
+static void cross(const dual *a, const dual *b, dual *c)
+{
+    c[0] = minus(times(a[1], b[2]), times(a[2], b[1]));
+    c[1] = minus(times(a[2], b[0]), times(a[0], b[2]));
+    c[2] = minus(times(a[0], b[1]), times(a[1], b[0]));
+}
+
+/* --- the formulas, in dual numbers -------------------------------------------------------------------------------- */
+
+/* One outline, and weights of an energy. */
+typedef struct outline {
+    enum surface surface;
+    size_t n;
+    int max_rank;
+    double corner[NUMBERS], normal[NUMBERS], radius;
+    double mu[TOP + 1], g[2 * TOP + 2], theta[TOP + 1], length;
+    surfmink_weights weights; /* points to these; or not */
+} outline;
+
+static size_t dim_of(const outline *o)
+{
+    return o->surface == PLANE ? 2 : 3;
+}
+
+/* Corner i and its normal, moved along a direction (by corners and normals; NULL: not). */
+static void moved(const outline *o, size_t i, const double *along, const double *along_normal, dual x[3], dual n[3])
+{
+    size_t k;
+    for (k = 0; k < 3; ++k) {
+        x[k] = n[k] = number(0, 0);
+        if (k < dim_of(o)) x[k] = number(o->corner[dim_of(o) * i + k], along ? along[dim_of(o) * i + k] : 0);
+        if (o->surface == SPHERE) n[k] = x[k];
+        if (o->surface == EMBEDDED) n[k] = number(o->normal[3 * i + k], along_normal ? along_normal[3 * i + k] : 0);
+    }
+    if (o->surface == PLANE) n[2] = number(1, 0);
+}
+
+static void unit(const dual *v, dual *u)
+{
+    dual norm = root(dot(v, v));
+    int k;
+    for (k = 0; k < 3; ++k) u[k] = over(v[k], norm);
+}
+
+/* v without its part along the unit vector n. */
+static void project(const dual *v, const dual *n, dual *p)
+{
+    dual part = dot(v, n);
+    int k;
+    for (k = 0; k < 3; ++k) p[k] = minus(v[k], times(part, n[k]));
+}
+
+static void lengths_and_turns(const outline *o, const double *along, const double *along_normal, dual *length,
+                              dual *turning)
+{
+    dual x[3][3], n[3][3], in[3], out[3], m[3], axis[3];
+    size_t i, j, k;
+    for (i = 0; i < o->n; ++i) {
+        for (j = 0; j < 3; ++j) moved(o, (i + o->n - 1 + j) % o->n, along, along_normal, x[j], n[j]);
+        for (k = 0; k < 3; ++k) {
+            in[k] = minus(x[1][k], x[0][k]);
+            out[k] = minus(x[2][k], x[1][k]);
+        }
+        length[i] = root(dot(out, out));
+        if (o->surface == SPHERE) {
+            cross(x[1], out, m);
+            length[i] = times(number(o->radius, 0), angle_of(root(dot(m, m)), dot(x[1], x[2])));
+        }
+        unit(n[1], axis);
+        project(in, axis, in);
+        project(out, axis, out);
+        cross(in, out, m);
+        turning[i] = angle_of(dot(axis, m), dot(in, out));
+    }
+}
+
+/* E and its derivative, from lengths and turns. A modulus that is 0 up to rounding has none. */
+static dual energy_of(const outline *o, const dual *length, const dual *turning)
+{
+    dual whole = number(0, 0), total = number(0, 0), energy = number(0, 0), re, im, f, modulus;
+    const surfmink_weights *w = &o->weights;
+    size_t i;
+    int p;
+    for (i = 0; i < o->n; ++i) {
+        whole = plus(whole, turning[i]);
+        total = plus(total, length[i]);
+    }
+    if (w->length) energy = plus(energy, times(number(*w->length, 0), total));
+    for (p = 0; p <= o->max_rank; ++p) {
+        dual turned = number(0, 0);
+        re = im = number(0, 0);
+        for (i = 0; i < o->n; ++i) {
+            long double c, s;
+            if (i > 0) turned = plus(turned, turning[i]);
+            f = times(number(2 * 3.14159265358979323846264L * p, 0), over(turned, whole));
+            c = cosl(f.v);
+            s = sinl(f.v);
+            re = plus(re, times(length[i], number(c, -s * f.d)));
+            im = plus(im, times(length[i], number(s, c * f.d)));
+        }
+        if (w->g) {
+            energy = plus(energy, times(number(w->g[2 * p], 0), re));
+            energy = plus(energy, times(number(w->g[2 * p + 1], 0), im));
+        }
+        if (p == 0 || sqrtl(re.v * re.v + im.v * im.v) < 1e-13L * total.v) continue;
+        modulus = root(plus(times(re, re), times(im, im)));
+        if (w->mu) energy = plus(energy, times(number(w->mu[p], 0), over(modulus, total)));
+        if (w->theta) energy = plus(energy, times(number(w->theta[p] / p, 0), angle_of(im, re)));
+    }
+    return energy;
+}
+
+static double derivative(const outline *o, const double *along, const double *along_normal)
+{
+    static dual length[CORNERS], turning[CORNERS];
+    lengths_and_turns(o, along, along_normal, length, turning);
+    return (double)energy_of(o, length, turning).d;
+}
+
+/* --- outlines and energies ---------------------------------------------------------------------------------------- */
+
+/* Flowers with uneven corners, for any n. */
+static void wavy(chance *c, size_t n, double *xy)
+{
+    double start = between(c, 0, 2 * PI), depth = between(c, 0.05, 0.25);
+    size_t i;
+    int petals = 2 + (int)one_of(c, 6);
+    for (i = 0; i < n; ++i) {
+        double t = start + 2 * PI * ((double)i + between(c, 0, 0.4)) / (double)n;
+        double r = 1 + depth * cos(petals * t) + between(c, -0.3, 0.3) / (double)n;
+        xy[2 * i] = r * cos(t);
+        xy[2 * i + 1] = r * sin(t);
+    }
+}
+
+/* Normals of any length, as if the corners lay on an ellipsoid. */
+static void tilt_normals(chance *c, outline *o)
+{
+    size_t i, k;
+    for (i = 0; i < o->n; ++i) {
+        double size = between(c, 0.1, 10);
+        for (k = 0; k < 3; ++k) o->normal[3 * i + k] = size * o->corner[3 * i + k] / (double)((k + 2) * (k + 2));
+    }
+    for (i = 0; i < o->n; ++i)
+        for (k = 0; k < 3; ++k) o->corner[3 * i + k] *= (double)(k + 2) / 2;
+}
+
+static void lay(chance *c, enum surface surface, const double *xy, size_t n, outline *o)
+{
+    double size = between(c, 0.02, 0.7), x = between(c, -9, 9);
+    size_t i, k;
+    o->surface = surface;
+    o->n = n;
+    o->radius = surface == SPHERE ? between(c, 0.5, 20) : 1;
+    for (i = 0; i < 2 * n && surface == PLANE; ++i) o->corner[i] = size * xy[i] + x;
+    if (surface == PLANE) return;
+    onto_sphere(xy, n, size, o->corner);
+    turn_somehow(c, o->corner, n);
+    if (surface == EMBEDDED) {
+        tilt_normals(c, o);
+        return;
+    }
+    for (i = 0; i < n; ++i) { /* corners may lie off the sphere */
+        double off = one_of(c, 2) ? o->radius : o->radius * between(c, 0.97, 1.03);
+        for (k = 0; k < 3; ++k) o->corner[3 * i + k] *= off;
+    }
+}
+
+static int measure(const outline *o, double *mu, double *g, surfmink_functionals *w)
+{
+    switch (o->surface) {
+    case PLANE: return surfmink_measure_plane(o->corner, o->n, o->max_rank, mu, g, w, NULL);
+    case SPHERE: return surfmink_measure_sphere(o->corner, o->n, o->radius, o->max_rank, mu, g, w, NULL);
+    default: return surfmink_measure_embedded(o->corner, o->normal, o->n, o->max_rank, mu, g, w, NULL);
+    }
+}
+
+/* Weights of everything, all of about the same consequence. Directions of a g_p that is next to nothing have an
+   ill-conditioned derivative: they get none. */
+static void weigh(chance *c, outline *o)
+{
+    double mu[TOP + 1];
+    surfmink_functionals w;
+    int p;
+    CHECK_OK(measure(o, mu, NULL, &w));
+    o->length = between(c, -1, 1) / w.length;
+    for (p = 0; p <= o->max_rank; ++p) {
+        o->mu[p] = mu[p] < 1e-4 ? 0 : between(c, -1, 1);
+        o->theta[p] = mu[p] < 1e-4 ? 0 : mu[p] * between(c, -1, 1);
+        o->g[2 * p] = between(c, -1, 1) / w.length;
+        o->g[2 * p + 1] = between(c, -1, 1) / w.length;
+    }
+    o->weights.mu = o->mu;
+    o->weights.g = o->g;
+    o->weights.theta = o->theta;
+    o->weights.length = &o->length;
+    o->weights.shared = 0;
+}
+
+/* 300 of them: small n, all kinds of ranks. */
+static void some_outline(chance *c, int which, enum surface surface, outline *o)
+{
+    static const int rank[5] = {6, 1, 12, 0, 40};
+    double xy[2 * MOST];
+    size_t n = 3 + one_of(c, which % 3 ? 6 : 20);
+    if (surface == PLANE && which % 2)
+        random_star(c, n, xy);
+    else if (which % 4 == 2)
+        wavy(c, n, xy);
+    else
+        gentle_star(c, n, xy);
+    lay(c, surface, xy, n, o);
+    o->max_rank = rank[which % 5];
+    weigh(c, o);
+}
+
+static double norm_of(const double *v, size_t n)
+{
+    double sum = 0, most = 0;
+    size_t i;
+    for (i = 0; i < n; ++i)
+        if (fabs(v[i]) > most) most = fabs(v[i]);
+    for (i = 0; i < n && most > 0; ++i) sum += v[i] / most * (v[i] / most);
+    return most * sqrt(sum);
+}
+
+static double distance(const double *a, const double *b, size_t n)
+{
+    static double d[NUMBERS];
+    size_t i;
+    for (i = 0; i < n; ++i) d[i] = a[i] - b[i];
+    return norm_of(d, n);
+}
+
+/* What the easy door says. */
+typedef struct pulled {
+    double mu[TOP + 1], g[2 * TOP + 2], by_corner[NUMBERS], by_normal[NUMBERS];
+    surfmink_functionals w;
+    size_t bad;
+} pulled;
+
+static int gradient(const outline *o, pulled *out)
+{
+    static double scratch[6 * CORNERS];
+    switch (o->surface) {
+    case PLANE:
+        return surfmink_gradient_plane(o->corner, o->n, o->max_rank, &o->weights, out->mu, out->g, &out->w,
+                                       out->by_corner, scratch, &out->bad);
+    case SPHERE:
+        return surfmink_gradient_sphere(o->corner, o->n, o->radius, o->max_rank, &o->weights, out->mu, out->g, &out->w,
+                                        out->by_corner, scratch, &out->bad);
+    default:
+        return surfmink_gradient_embedded(o->corner, o->normal, o->n, o->max_rank, &o->weights, out->mu, out->g,
+                                          &out->w, out->by_corner, out->by_normal, scratch, &out->bad);
+    }
+}
+
+/* The whole gradient in dual numbers, one coordinate after the other. */
+static void differentiate(const outline *o, double *by_corner, double *by_normal)
+{
+    static double along[NUMBERS];
+    size_t i, numbers = dim_of(o) * o->n;
+    memset(along, 0, sizeof along);
+    for (i = 0; i < numbers; ++i) {
+        along[i] = 1;
+        by_corner[i] = derivative(o, along, NULL);
+        by_normal[i] = o->surface == EMBEDDED ? derivative(o, NULL, along) : 0;
+        along[i] = 0;
+    }
+}
+
+static double worst; /* of a theorem: distance from the reference by its norm */
+
+static void check_gradient(const outline *o, const pulled *got, double within)
+{
+    static double by_corner[NUMBERS], by_normal[NUMBERS];
+    size_t numbers = dim_of(o) * o->n;
+    double off;
+    differentiate(o, by_corner, by_normal);
+    off = distance(got->by_corner, by_corner, numbers) / norm_of(by_corner, numbers);
+    CHECK_NEAR(off, 0, within);
+    if (off > worst) worst = off;
+    if (o->surface != EMBEDDED) return;
+    if (o->max_rank == 0) { /* lengths alone: no normal matters */
+        CHECK_NEAR(norm_of(got->by_normal, numbers), 0, 0);
+        return;
+    }
+    off = distance(got->by_normal, by_normal, numbers) / norm_of(by_normal, numbers);
+    CHECK_NEAR(off, 0, within);
+    if (off > worst) worst = off;
+}
+
+/* --- the gradient is the derivative ------------------------------------------------------------------------------- */
+
+static void gradient_is_the_derivative(enum surface surface)
+{
+    chance c = {1 + (uint64_t)surface};
+    static outline o;
+    static pulled got;
+    int which;
+    worst = 0;
+    for (which = 0; which < OUTLINES; ++which) {
+        some_outline(&c, which, surface, &o);
+        CASE("%s %d, %lu corners, P = %d", surface_name[surface], which, (unsigned long)o.n, o.max_rank);
+        CHECK_OK(gradient(&o, &got));
+        check_gradient(&o, &got, 1e-10);
+    }
+    NOTE("%s: gradients off by at most %.1e of their norm", surface_name[surface], worst);
+}
+
+THEOREM(the_gradient_in_the_plane_is_the_derivative_by_every_coordinate)
+{
+    gradient_is_the_derivative(PLANE);
+}
+
+THEOREM(the_gradient_on_the_sphere_is_the_derivative_by_every_coordinate)
+{
+    gradient_is_the_derivative(SPHERE);
+}
+
+THEOREM(the_gradient_on_an_embedded_surface_is_the_derivative_by_every_corner_and_normal)
+{
+    gradient_is_the_derivative(EMBEDDED);
+}
+
+/* Single calls take outlines of more than 64 corners in blocks; there are too many coordinates to try them all. */
+THEOREM(gradients_of_long_outlines_are_derivatives_along_random_directions)
+{
+    static const size_t size[5] = {63, 64, 65, 130, 1000};
+    static double along[NUMBERS], tilt[NUMBERS], xy[2 * CORNERS], zero[NUMBERS];
+    static outline o;
+    static pulled got;
+    chance c = {7};
+    int surface, which, k;
+    size_t i;
+    worst = 0;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 5; ++which) {
+            wavy(&c, size[which], xy);
+            lay(&c, (enum surface)surface, xy, size[which], &o);
+            o.max_rank = which == 2 ? 0 : which == 3 ? 60 : 6;
+            weigh(&c, &o);
+            CASE("%s, %lu corners, P = %d", surface_name[surface], (unsigned long)o.n, o.max_rank);
+            CHECK_OK(gradient(&o, &got));
+            for (k = 0; k < 4; ++k) {
+                double want, have = 0, size_of_it;
+                for (i = 0; i < dim_of(&o) * o.n; ++i) {
+                    along[i] = between(&c, -1, 1);
+                    tilt[i] = between(&c, -1, 1);
+                    have += along[i] * got.by_corner[i];
+                    if (surface == EMBEDDED) have += tilt[i] * got.by_normal[i];
+                }
+                want = derivative(&o, along, surface == EMBEDDED ? tilt : NULL);
+                size_of_it = norm_of(got.by_corner, dim_of(&o) * o.n);
+                CHECK_NEAR(have / size_of_it, want / size_of_it, 1e-10);
+                if (fabs(have - want) / size_of_it > worst) worst = fabs(have - want) / size_of_it;
+            }
+            if (o.n == 1000) continue;
+            CHECK(norm_of(got.by_corner, dim_of(&o) * o.n) > 0);
+            CHECK_NEAR(distance(got.by_normal, zero, 0), 0, 0);
+        }
+    NOTE("long outlines: derivatives off by at most %.1e of the norm of the gradient", worst);
+}
+
+/* --- what does not change the outline does not change E ----------------------------------------------------------- */
+
+THEOREM(gradients_are_orthogonal_to_translations_rotations_and_scaling)
+{
+    static outline o;
+    static pulled got;
+    chance c = {8};
+    int surface, which, k;
+    size_t i;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 60; ++which) {
+            double shift[3] = {0, 0, 0}, turn[3] = {0, 0, 0}, grow = 0, size = 0, per_turn, by_length = 0;
+            some_outline(&c, which, (enum surface)surface, &o);
+            if (which % 2) { /* mu and theta alone do not change with the size; L does */
+                o.weights.g = NULL;
+                by_length = o.length;
+            }
+            CASE("%s %d", surface_name[surface], which);
+            CHECK_OK(gradient(&o, &got));
+            for (i = 0; i < o.n; ++i) {
+                double x[3] = {0, 0, 0}, b[3] = {0, 0, 0}, m[3];
+                for (k = 0; k < (int)dim_of(&o); ++k) {
+                    x[k] = o.corner[dim_of(&o) * i + (size_t)k];
+                    b[k] = got.by_corner[dim_of(&o) * i + (size_t)k];
+                    shift[k] += b[k];
+                    grow += b[k] * x[k];
+                    size += fabs(b[k]);
+                }
+                cross3(x, b, m);
+                for (k = 0; k < 3; ++k) turn[k] += m[k];
+                if (surface == SPHERE) CHECK_NEAR(dot3(x, b), 0, 1e-15 * sqrt(dot3(x, x) * dot3(b, b)) * 8);
+                if (surface != EMBEDDED) continue;
+                cross3(o.normal + 3 * i, got.by_normal + 3 * i, m);
+                for (k = 0; k < 3; ++k) {
+                    turn[k] += m[k];
+                    size += fabs(m[k]);
+                }
+                CHECK_NEAR(dot3(o.normal + 3 * i, got.by_normal + 3 * i), 0,
+                           1e-14 * sqrt(dot3(o.normal + 3 * i, o.normal + 3 * i) *
+                                        dot3(got.by_normal + 3 * i, got.by_normal + 3 * i)));
+            }
+            for (k = 0; k < 3; ++k) {
+                per_turn = size * (norm_of(o.corner, dim_of(&o)) + 1);
+                if (surface != SPHERE) CHECK_NEAR(shift[k], 0, 1e-13 * size);
+                if (surface != PLANE || k == 2) CHECK_NEAR(turn[k], 0, 1e-13 * per_turn);
+                if (which % 2 && surface != SPHERE) CHECK_NEAR(grow, by_length * got.w.length, 1e-13 * per_turn);
+            }
+        }
+}
+
+/* --- the steps ---------------------------------------------------------------------------------------------------- */
+
+/* The same by surfmink_edges_*, phases, irreducible, and back by surfmink_pull_*. */
+static void step_by_step(const outline *o, double *by_corner, double *by_normal)
+{
+    static double length[CORNERS], turning[CORNERS], phase[CORNERS], by_length[CORNERS], by_turning[CORNERS];
+    static double g[2 * TOP + 2], by_g[2 * TOP + 2];
+    size_t n = o->n, bad = 99;
+    if (o->surface == PLANE) CHECK_OK(surfmink_edges_plane(o->corner, n, length, turning, &bad));
+    if (o->surface == SPHERE) CHECK_OK(surfmink_edges_sphere(o->corner, n, o->radius, length, turning, &bad));
+    if (o->surface == EMBEDDED) CHECK_OK(surfmink_edges_embedded(o->corner, o->normal, n, length, turning, &bad));
+    CHECK_OK(surfmink_phases(turning, n, SURFMINK_CORRECTED, phase));
+    CHECK_OK(surfmink_irreducible(length, phase, n, o->max_rank, g));
+    CHECK_OK(surfmink_pull_spectrum(&o->weights, g, o->max_rank, by_g));
+    CHECK_OK(surfmink_pull_edges(by_g, o->max_rank, length, turning, n, by_length, by_turning));
+    if (o->surface == PLANE) CHECK_OK(surfmink_pull_plane(o->corner, n, by_length, by_turning, by_corner, &bad));
+    if (o->surface == SPHERE)
+        CHECK_OK(surfmink_pull_sphere(o->corner, n, o->radius, by_length, by_turning, by_corner, &bad));
+    if (o->surface == EMBEDDED)
+        CHECK_OK(surfmink_pull_embedded(o->corner, o->normal, n, by_length, by_turning, by_corner, by_normal, &bad));
+    CHECK_EQUAL(bad, 99);
+}
+
+THEOREM(the_steps_lead_to_the_same_gradient)
+{
+    static outline o;
+    static pulled got;
+    static double by_corner[NUMBERS], by_normal[NUMBERS], xy[2 * CORNERS];
+    chance c = {9};
+    int surface, which;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 100; ++which) {
+            size_t numbers;
+            some_outline(&c, which, (enum surface)surface, &o);
+            if (which == 50 || which == 51) {
+                wavy(&c, 150, xy);
+                lay(&c, (enum surface)surface, xy, 150, &o);
+                o.max_rank = which == 50 ? 0 : TOP;
+                weigh(&c, &o);
+            }
+            if (which % 7 == 1) o.weights.mu = NULL;
+            if (which % 7 == 2) o.weights.g = NULL;
+            if (which % 7 == 3) o.weights.theta = NULL;
+            if (which % 7 == 4) o.weights.length = NULL;
+            numbers = dim_of(&o) * o.n;
+            CASE("%s %d", surface_name[surface], which);
+            CHECK_OK(gradient(&o, &got));
+            step_by_step(&o, by_corner, by_normal);
+            CHECK_NEAR(distance(got.by_corner, by_corner, numbers), 0, 1e-10 * norm_of(by_corner, numbers));
+            if (surface == EMBEDDED)
+                CHECK_NEAR(distance(got.by_normal, by_normal, numbers), 0, 1e-10 * norm_of(by_normal, numbers));
+        }
+}
+
+/* An energy of lengths and turns that has nothing to do with mu. */
+THEOREM(any_weights_of_lengths_and_turns_are_pulled_back)
+{
+    static outline o;
+    static dual length[CORNERS], turning[CORNERS];
+    static double by_length[CORNERS], by_turning[CORNERS], by_corner[NUMBERS], by_normal[NUMBERS], along[NUMBERS],
+        tilt[NUMBERS];
+    chance c = {10};
+    int surface, which, k;
+    size_t i;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 100; ++which) {
+            some_outline(&c, which, (enum surface)surface, &o);
+            CASE("%s %d", surface_name[surface], which);
+            for (i = 0; i < o.n; ++i) {
+                by_length[i] = between(&c, -1, 1);
+                by_turning[i] = between(&c, -1, 1);
+            }
+            if (surface == PLANE) CHECK_OK(surfmink_pull_plane(o.corner, o.n, by_length, by_turning, by_corner, NULL));
+            if (surface == SPHERE)
+                CHECK_OK(surfmink_pull_sphere(o.corner, o.n, o.radius, by_length, by_turning, by_corner, NULL));
+            if (surface == EMBEDDED) {
+                CHECK_OK(surfmink_pull_embedded(o.corner, o.normal, o.n, by_length, by_turning, along, NULL, NULL));
+                CHECK_OK(
+                    surfmink_pull_embedded(o.corner, o.normal, o.n, by_length, by_turning, by_corner, by_normal, NULL));
+                CHECK_SAME(by_corner, along, 3 * o.n);
+            }
+            for (k = 0; k < 3; ++k) {
+                double want = 0, got = 0, size = norm_of(by_corner, dim_of(&o) * o.n);
+                for (i = 0; i < dim_of(&o) * o.n; ++i) {
+                    along[i] = between(&c, -1, 1);
+                    tilt[i] = between(&c, -1, 1);
+                    got += along[i] * by_corner[i];
+                    if (surface == EMBEDDED) got += tilt[i] * by_normal[i];
+                }
+                lengths_and_turns(&o, along, tilt, length, turning);
+                for (i = 0; i < o.n; ++i) want += (double)(by_length[i] * length[i].d + by_turning[i] * turning[i].d);
+                CHECK_NEAR(got / size, want / size, 1e-11);
+            }
+        }
+}
+
+/* The steps before the last know no surface: lengths and turns that vary as they like. */
+THEOREM(weights_of_edges_are_derivatives_by_lengths_and_turns)
+{
+    static outline o;
+    static dual length[CORNERS], turning[CORNERS];
+    double l[MOST], alpha[MOST], phase[MOST], g[2 * TOP + 2], by_g[2 * TOP + 2], by_length[MOST], by_turning[MOST];
+    chance c = {11};
+    int which;
+    size_t i, j;
+    for (which = 0; which < 100; ++which) {
+        surfmink_functionals w;
+        o.n = 3 + one_of(&c, 12);
+        o.max_rank = which % 3 ? 8 : 45;
+        for (i = 0; i < o.n; ++i) {
+            l[i] = one_of(&c, 9) ? between(&c, 0.2, 2) : 0;
+            alpha[i] = between(&c, -0.3, 1);
+        }
+        alpha[0] += 2;
+        CASE("%d", which);
+        CHECK_OK(surfmink_total(l, alpha, o.n, &w));
+        CHECK_OK(surfmink_phases(alpha, o.n, SURFMINK_CORRECTED, phase));
+        CHECK_OK(surfmink_irreducible(l, phase, o.n, o.max_rank, g));
+        o.length = between(&c, -1, 1);
+        for (i = 0; i <= (size_t)o.max_rank; ++i) {
+            o.mu[i] = between(&c, -1, 1);
+            o.theta[i] = between(&c, -0.1, 0.1);
+            o.g[2 * i] = between(&c, -1, 1);
+            o.g[2 * i + 1] = between(&c, -1, 1);
+        }
+        o.weights.mu = o.mu;
+        o.weights.theta = o.theta;
+        o.weights.g = o.g;
+        o.weights.length = &o.length;
+        CHECK_OK(surfmink_pull_spectrum(&o.weights, g, o.max_rank, by_g));
+        CHECK_OK(surfmink_pull_edges(by_g, o.max_rank, l, alpha, o.n, by_length, by_turning));
+        for (j = 0; j < 2 * o.n; ++j) {
+            double want, got = j < o.n ? by_length[j] : by_turning[j - o.n];
+            for (i = 0; i < o.n; ++i) {
+                length[i] = number(l[i], j == i);
+                turning[i] = number(alpha[i], j == o.n + i);
+            }
+            want = (double)energy_of(&o, length, turning).d;
+            CHECK_NEAR(got, want, 1e-10 * (norm_of(by_length, o.n) + norm_of(by_turning, o.n)));
+        }
+    }
+}
+
+/* --- what is said about weights ----------------------------------------------------------------------------------- */
+
+THEOREM(what_is_measured_on_the_way_is_what_measuring_says_to_the_bit)
+{
+    static outline o;
+    static pulled got;
+    static double xy[2 * CORNERS];
+    double mu[TOP + 1], g[2 * TOP + 2];
+    surfmink_functionals w;
+    chance c = {12};
+    int surface, which;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 40; ++which) {
+            some_outline(&c, which, (enum surface)surface, &o);
+            if (which > 35) {
+                wavy(&c, which > 37 ? 700 : 65, xy);
+                lay(&c, (enum surface)surface, xy, which > 37 ? 700 : 65, &o);
+                o.max_rank = which % 2 ? 0 : TOP;
+                weigh(&c, &o);
+            }
+            CASE("%s %d", surface_name[surface], which);
+            CHECK_OK(gradient(&o, &got));
+            CHECK_OK(measure(&o, mu, g, &w));
+            CHECK_SAME(got.mu, mu, (size_t)o.max_rank + 1);
+            CHECK_SAME(got.g, g, 2 * ((size_t)o.max_rank + 1));
+            CHECK_SAME(&got.w.area, &w.area, 1);
+            CHECK_SAME(&got.w.length, &w.length, 1);
+            CHECK_SAME(&got.w.turning, &w.turning, 1);
+            CHECK_SAME(&got.w.curvature, &w.curvature, 1);
+            CHECK_SAME(&got.w.condition, &w.condition, 1);
+        }
+}
+
+THEOREM(gradients_are_linear_in_the_weights)
+{
+    static outline o;
+    static pulled got[5];
+    chance c = {13};
+    int surface, which, k;
+    size_t i;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 30; ++which) {
+            surfmink_weights all, none = {NULL, NULL, NULL, NULL, 0};
+            double sum[NUMBERS], tilt[NUMBERS], size = 0;
+            some_outline(&c, which, (enum surface)surface, &o);
+            all = o.weights;
+            CASE("%s %d", surface_name[surface], which);
+            for (k = 0; k < 5; ++k) {
+                o.weights = none;
+                if (k == 0) o.weights = all;
+                if (k == 1) o.weights.mu = all.mu;
+                if (k == 2) o.weights.g = all.g;
+                if (k == 3) o.weights.theta = all.theta;
+                if (k == 4) o.weights.length = all.length;
+                CHECK_OK(gradient(&o, &got[k]));
+            }
+            for (i = 0; i < dim_of(&o) * o.n; ++i)
+                for (sum[i] = tilt[i] = 0, k = 1; k < 5; ++k) {
+                    sum[i] += got[k].by_corner[i];
+                    tilt[i] += surface == EMBEDDED ? got[k].by_normal[i] : 0;
+                    size += fabs(got[k].by_corner[i]);
+                }
+            CHECK_NEAR(distance(sum, got[0].by_corner, dim_of(&o) * o.n), 0, 1e-10 * size);
+            if (surface == EMBEDDED) CHECK_NEAR(distance(tilt, got[0].by_normal, 3 * o.n), 0, 1e-9 * size);
+            o.weights = none;
+            CHECK_OK(gradient(&o, &got[0]));
+            CHECK_NEAR(norm_of(got[0].by_corner, dim_of(&o) * o.n), 0, 0);
+        }
+}
+
+/* A square has mu_2 = mu_6 = 0: the modulus has a kink there, and a direction is nothing. g_2 is smooth. */
+THEOREM(where_mu_is_zero_weights_of_mu_and_theta_count_as_nothing)
+{
+    static const double square[2][8] = {{0, 0, 1, 0, 1, 1, 0, 1}, {0.1, -0.3, 0.9, 0.5, 0.1, 1.3, -0.7, 0.5}};
+    static outline o;
+    static pulled got, smooth;
+    double by_corner[NUMBERS], by_normal[NUMBERS];
+    int which, rank, step;
+    for (which = 0; which < 2; ++which)
+        for (rank = 1; rank < 8; ++rank)
+            for (step = 0; step < 2; ++step) {
+                memset(&o, 0, sizeof o);
+                o.surface = PLANE;
+                o.n = 4;
+                o.max_rank = 8;
+                memcpy(o.corner, square[which], sizeof square[which]);
+                o.mu[rank] = 3;
+                o.theta[rank] = 5;
+                o.weights.mu = o.mu;
+                o.weights.theta = step ? o.theta : NULL;
+                CASE("square %d, rank %d", which, rank);
+                CHECK_OK(gradient(&o, &got));
+                if (rank != 4) CHECK_NEAR(norm_of(got.by_corner, 8), 0, 0);
+                step_by_step(&o, by_corner, by_normal);
+                if (rank != 4) CHECK_NEAR(norm_of(by_corner, 8), 0, 0);
+                o.g[2 * rank] = 1;
+                o.g[2 * rank + 1] = -2;
+                o.weights.g = o.g;
+                CHECK_OK(gradient(&o, &smooth));
+                if (rank == 1) /* g_1 is 0 for all polygons of the plane */
+                    CHECK_NEAR(norm_of(smooth.by_corner, 8), 0, 1e-14);
+                else
+                    check_gradient(&o, &smooth, 1e-13);
+                if (rank == 2) CHECK(norm_of(smooth.by_corner, 8) > 1);
+            }
+}
+
+/* Below 1e-14 of L nothing counts, above everything. */
+THEOREM(noise_ends_at_1e_14)
+{
+    const double weight[2] = {0, 1};
+    double g[4] = {1, 0, 0, 0}, by_g[4];
+    surfmink_weights weights = {NULL, NULL, NULL, NULL, 0};
+    weights.mu = weight;
+    g[2] = 0.99e-14;
+    CHECK_OK(surfmink_pull_spectrum(&weights, g, 1, by_g));
+    CHECK_NEAR(by_g[2], 0, 0);
+    g[2] = 1.01e-14;
+    CHECK_OK(surfmink_pull_spectrum(&weights, g, 1, by_g));
+    CHECK_NEAR(by_g[2], 1, 1e-15);
+    CHECK_NEAR(by_g[0], -g[2], 1e-29);
+    weights.mu = NULL;
+    weights.theta = weight;
+    CHECK_OK(surfmink_pull_spectrum(&weights, g, 1, by_g));
+    CHECK_CLOSE(by_g[3], 1 / g[2], 1e-15);
+    g[2] = 0.99e-14;
+    CHECK_OK(surfmink_pull_spectrum(&weights, g, 1, by_g));
+    CHECK_NEAR(by_g[3], 0, 0);
+}
+
+/* In another unit, a power of two: the same bits, with the power of the unit that belongs there. */
+THEOREM(units_do_not_matter)
+{
+    static const int unit[6] = {1, -3, 60, -60, 400, -400};
+    static outline o, scaled;
+    static pulled got, want;
+    chance c = {14};
+    int surface, which, k;
+    size_t i;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 30; ++which)
+            for (k = 0; k < 6; ++k) {
+                double scale = power_of_two(unit[k]);
+                some_outline(&c, which, (enum surface)surface, &o);
+                o.weights.g = NULL;
+                o.weights.length = NULL;
+                scaled = o;
+                scaled.weights.mu = scaled.mu;
+                scaled.weights.theta = scaled.theta;
+                for (i = 0; i < dim_of(&o) * o.n; ++i) scaled.corner[i] *= scale;
+                for (i = 0; i < 3 * o.n && surface == EMBEDDED; ++i) scaled.normal[i] /= scale;
+                CASE("%s %d, 2^%d", surface_name[surface], which, unit[k]);
+                CHECK_OK(gradient(&o, &want));
+                CHECK_OK(gradient(&scaled, &got));
+                for (i = 0; i < dim_of(&o) * o.n; ++i) got.by_corner[i] *= scale;
+                CHECK_SAME(got.by_corner, want.by_corner, dim_of(&o) * o.n);
+                for (i = 0; i < 3 * o.n && surface == EMBEDDED; ++i) got.by_normal[i] /= scale;
+                if (surface == EMBEDDED && (unit[k] > 50 || unit[k] < -50)) /* normals of such lengths are scaled */
+                    CHECK_NEAR(distance(got.by_normal, want.by_normal, 3 * o.n), 0,
+                               1e-12 * norm_of(want.by_normal, 3 * o.n));
+                if (surface == EMBEDDED && unit[k] < 50 && unit[k] > -50)
+                    CHECK_SAME(got.by_normal, want.by_normal, 3 * o.n);
+            }
+}
+
+THEOREM(weights_of_lengths_have_the_unit_of_lengths)
+{
+    static outline o;
+    static pulled got;
+    chance c = {15};
+    int surface, which;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 30; ++which) {
+            size_t i;
+            some_outline(&c, which, (enum surface)surface, &o);
+            for (i = 0; i < dim_of(&o) * o.n && surface != SPHERE; ++i) o.corner[i] *= 1000;
+            if (surface == SPHERE) o.radius *= 1000;
+            CASE("%s %d", surface_name[surface], which);
+            CHECK_OK(gradient(&o, &got));
+            check_gradient(&o, &got, 1e-10);
+        }
+}
+
+/* --- outlines that are measured corner by corner ------------------------------------------------------------------ */
+
+static int is_ordinary(const outline *o)
+{
+    enum surfmink__kind kind = o->surface == PLANE    ? SURFMINK__PLANE
+                               : o->surface == SPHERE ? SURFMINK__SPHERE
+                                                      : SURFMINK__EMBEDDED;
+    surfmink__outline outline = surfmink__outline_of(kind, o->corner, o->normal, o->n);
+    if (o->surface == SPHERE) outline = surfmink__outline_sphere(o->corner, o->n, o->radius);
+    return surfmink__quickly(&outline, 0, NULL, NULL, NULL, NULL, NULL, NULL);
+}
+
+static void careful(chance *c, const char *what, outline *o, double within)
+{
+    static pulled got;
+    static double by_corner[NUMBERS], by_normal[NUMBERS];
+    size_t numbers = dim_of(o) * o->n;
+    weigh(c, o);
+    CASE("%s, %s", surface_name[o->surface], what);
+    CHECK(!is_ordinary(o));
+    CHECK_OK(gradient(o, &got));
+    check_gradient(o, &got, within);
+    step_by_step(o, by_corner, by_normal);
+    CHECK_NEAR(distance(got.by_corner, by_corner, numbers), 0, within * norm_of(by_corner, numbers));
+}
+
+/* Each deviates from what kernels take; the tolerance is that of the angles, times what amplifies them. */
+THEOREM(outlines_that_are_not_ordinary_have_gradients_too)
+{
+    static const int rank[4] = {6, 0, 40, 12};
+    static const double whisker[16] = {0, 0, 4, -1, 4, 2, 7, 2, 4, 2, 4, 4, 2, 5, 0, 4}; /* its tip turns by pi */
+    static outline o;
+    double xy[2 * MOST];
+    chance c = {16};
+    int which;
+    size_t i;
+    for (which = 0; which < 12; ++which) {
+        size_t n = 5 + one_of(&c, 6);
+        o.max_rank = rank[which % 4];
+        lay(&c, PLANE, whisker, 8, &o);
+        memcpy(o.corner, whisker, sizeof whisker);
+        careful(&c, "a whisker", &o, 1e-13);
+
+        gentle_star(&c, n, xy); /* edges of more than 60 degrees */
+        lay(&c, SPHERE, xy, n, &o);
+        onto_sphere(xy, n, 20, o.corner);
+        careful(&c, "long edges", &o, 1e-9);
+
+        gentle_star(&c, n, xy); /* corners far off the sphere: steep edges */
+        lay(&c, SPHERE, xy, n, &o);
+        for (i = 0; i < 3; ++i) o.corner[i] *= 100;
+        careful(&c, "a corner far off", &o, 1e-10);
+
+        gentle_star(&c, n, xy); /* an edge along the normal, almost */
+        lay(&c, EMBEDDED, xy, n, &o);
+        for (i = 0; i < 3; ++i) o.normal[i] = o.corner[3 + i] - o.corner[i] + 0.01 * o.normal[i];
+        if (measure(&o, o.mu, NULL, NULL) == SURFMINK_OK && !is_ordinary(&o)) careful(&c, "a steep edge", &o, 1e-9);
+
+        gentle_star(&c, n, xy); /* S next to nothing: almost half a sphere */
+        onto_sphere(xy, n, 1, o.normal);
+        lay(&c, EMBEDDED, xy, n, &o);
+        onto_sphere(xy, n, 1, o.normal);
+        for (i = 0; i < n; ++i) {
+            o.corner[3 * i] = o.normal[3 * i];
+            o.corner[3 * i + 1] = o.normal[3 * i + 1];
+            o.corner[3 * i + 2] = 0.01;
+            o.normal[3 * i] = o.corner[3 * i];
+            o.normal[3 * i + 1] = o.corner[3 * i + 1];
+            o.normal[3 * i + 2] = 0.05;
+        }
+        if (measure(&o, o.mu, NULL, NULL) == SURFMINK_OK && !is_ordinary(&o)) careful(&c, "small S", &o, 1e-8);
+    }
+}
+
+/* Sizes at which squares of lengths are no doubles. */
+THEOREM(gradients_of_absurd_units_are_those_of_sensible_ones)
+{
+    static const int unit[4] = {-900, 480, -930, 300};
+    static outline o, scaled;
+    static pulled got, want;
+    chance c = {17};
+    int surface, which;
+    size_t i, k;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 40; ++which) {
+            double scale = power_of_two(unit[which % 4]);
+            some_outline(&c, which, (enum surface)surface, &o);
+            if (which % 8 > 3) { /* and one edge so short that the outline is not ordinary in any unit */
+                for (k = 0; k < dim_of(&o); ++k) o.corner[dim_of(&o) + k] = o.corner[k];
+                o.corner[dim_of(&o)] += 1e-14 * fabs(o.corner[0]);
+                if (measure(&o, o.mu, NULL, NULL) != SURFMINK_OK) continue;
+                weigh(&c, &o);
+            }
+            o.weights.g = NULL;
+            o.weights.length = NULL;
+            scaled = o;
+            scaled.weights.mu = scaled.mu;
+            scaled.weights.theta = scaled.theta;
+            for (i = 0; i < dim_of(&o) * o.n; ++i) scaled.corner[i] *= scale;
+            CASE("%s %d", surface_name[surface], which);
+            CHECK_OK(gradient(&o, &want));
+            CHECK_OK(gradient(&scaled, &got));
+            for (i = 0; i < dim_of(&o) * o.n; ++i) got.by_corner[i] *= scale;
+            CHECK_NEAR(distance(got.by_corner, want.by_corner, dim_of(&o) * o.n), 0,
+                       1e-10 * norm_of(want.by_corner, dim_of(&o) * o.n));
+        }
+}
+
+/* --- refusals ----------------------------------------------------------------------------------------------------- */
+
+static void untouched(const double *v, size_t n)
+{
+    size_t i;
+    for (i = 0; i < n; ++i) CHECK_NEAR(v[i], -77, 0);
+}
+
+THEOREM(what_is_refused_changes_nothing_and_is_named)
+{
+    static outline o;
+    static pulled got;
+    static double scratch[6 * MOST];
+    double xy[2 * MOST], l[4] = {1, 1, 1, 1}, alpha[4] = {2, 2, 2, -0.3}, by_l[4], by_alpha[4], g[4] = {1, 0, 0.5, 0},
+                         by_g[4] = {-77, -77, -77, -77};
+    double nan_of = NAN;
+    chance c = {18};
+    int surface, what;
+    size_t i;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (what = 0; what < 5; ++what) {
+            gentle_star(&c, 6, xy);
+            lay(&c, (enum surface)surface, xy, 6, &o);
+            o.max_rank = 3;
+            weigh(&c, &o);
+            if (what == 1) o.n = 2;
+            if (what == 2) o.corner[4] = nan_of;
+            if (what == 3) memcpy(o.corner + 2 * dim_of(&o), o.corner + dim_of(&o), dim_of(&o) * sizeof *o.corner);
+            if (what == 4) surfmink_reverse(o.corner, 6, dim_of(&o));
+            if (what == 0) o.max_rank = -1;
+            for (i = 0; i < NUMBERS; ++i) got.by_corner[i] = got.by_normal[i] = -77;
+            got.mu[0] = got.g[0] = got.w.length = -77;
+            got.bad = 99;
+            CASE("%s %d", surface_name[surface], what);
+            if (what == 4 && surface == EMBEDDED) surfmink_reverse(o.normal, 6, 3);
+            CHECK_STATUS(gradient(&o, &got), what == 0   ? SURFMINK_BAD_ARGUMENT
+                                             : what == 1 ? SURFMINK_TOO_FEW_CORNERS
+                                             : what == 2 ? SURFMINK_NOT_FINITE
+                                             : what == 3 ? SURFMINK_COINCIDENT_CORNERS
+                                                         : SURFMINK_CLOCKWISE);
+            CHECK_EQUAL(got.bad, what == 1 ? 2 : what == 2 ? 4 / dim_of(&o) : what == 3 ? 2 : 6);
+            untouched(got.by_corner, NUMBERS);
+            untouched(got.by_normal, NUMBERS);
+            CHECK(got.mu[0] == -77 && got.g[0] == -77 && got.w.length == -77);
+        }
+    CASE("a radius");
+    CHECK_STATUS(
+        surfmink_gradient_sphere(o.corner, 6, 0, 3, &o.weights, got.mu, got.g, NULL, got.by_corner, scratch, &got.bad),
+        SURFMINK_BAD_ARGUMENT);
+    CHECK_STATUS(surfmink_pull_sphere(o.corner, 6, -1, l, alpha, got.by_corner, &got.bad), SURFMINK_BAD_ARGUMENT);
+    CHECK_EQUAL(got.bad, 6);
+    CHECK_STATUS(surfmink_pull_plane(o.corner, 2, l, alpha, got.by_corner, &got.bad), SURFMINK_TOO_FEW_CORNERS);
+    CHECK_EQUAL(got.bad, 2);
+    CHECK_STATUS(surfmink_pull_embedded(o.corner, o.corner, 2, l, alpha, got.by_corner, got.by_normal, NULL),
+                 SURFMINK_TOO_FEW_CORNERS);
+    untouched(got.by_corner, NUMBERS);
+    untouched(got.by_normal, NUMBERS);
+    CASE("edges");
+    for (i = 0; i < 4; ++i) by_l[i] = by_alpha[i] = -77;
+    CHECK_STATUS(surfmink_pull_edges(g, -1, l, alpha, 4, by_l, by_alpha), SURFMINK_BAD_ARGUMENT);
+    CHECK_STATUS(surfmink_pull_edges(g, 1, l, alpha, 2, by_l, by_alpha), SURFMINK_TOO_FEW_CORNERS);
+    alpha[0] = nan_of;
+    CHECK_STATUS(surfmink_pull_edges(g, 1, l, alpha, 4, by_l, by_alpha), SURFMINK_NOT_FINITE);
+    alpha[0] = -9;
+    CHECK_STATUS(surfmink_pull_edges(g, 1, l, alpha, 4, by_l, by_alpha), SURFMINK_CLOCKWISE);
+    untouched(by_l, 4);
+    untouched(by_alpha, 4);
+    CASE("components");
+    CHECK_STATUS(surfmink_pull_spectrum(&o.weights, g, -1, by_g), SURFMINK_BAD_ARGUMENT);
+    g[2] = nan_of;
+    CHECK_STATUS(surfmink_pull_spectrum(&o.weights, g, 1, by_g), SURFMINK_NOT_FINITE);
+    g[2] = g[0] = 0;
+    CHECK_STATUS(surfmink_pull_spectrum(&o.weights, g, 1, by_g), SURFMINK_BAD_ARGUMENT);
+    untouched(by_g, 4);
+}
+
+THEOREM(outputs_that_nobody_wants_may_be_null)
+{
+    static outline o;
+    static pulled got;
+    static double scratch[6 * MOST], by_corner[NUMBERS];
+    double xy[2 * MOST];
+    chance c = {19};
+    gentle_star(&c, 7, xy);
+    lay(&c, EMBEDDED, xy, 7, &o);
+    o.max_rank = 6;
+    weigh(&c, &o);
+    CHECK_OK(gradient(&o, &got));
+    CHECK_OK(surfmink_gradient_embedded(o.corner, o.normal, 7, 6, &o.weights, NULL, NULL, NULL, by_corner, NULL,
+                                        scratch, NULL));
+    CHECK_SAME(by_corner, got.by_corner, 21);
+    onto_sphere(xy, 7, 20, o.corner); /* and corner by corner, where edges are long */
+    o.surface = SPHERE;
+    CHECK(!is_ordinary(&o));
+    CHECK_OK(gradient(&o, &got));
+    CHECK_OK(
+        surfmink_gradient_sphere(o.corner, 7, o.radius, 6, &o.weights, NULL, NULL, NULL, by_corner, scratch, NULL));
+    CHECK_SAME(by_corner, got.by_corner, 21);
+    CHECK_STATUS(surfmink_gradient_embedded(o.corner, o.normal, 2, 6, &o.weights, NULL, NULL, NULL, by_corner, NULL,
+                                            scratch, NULL),
+                 SURFMINK_TOO_FEW_CORNERS);
+    CHECK_SAME(by_corner, got.by_corner, 21);
+}
+
+/* Between corners so near to each other that the square of their distance is no double. */
+THEOREM(an_edge_next_to_nothing_has_a_huge_gradient)
+{
+    static outline o;
+    static pulled got;
+    chance c = {22};
+    size_t i;
+    double xy[2 * MOST];
+    gentle_star(&c, 6, xy);
+    lay(&c, EMBEDDED, xy, 6, &o);
+    o.max_rank = 6;
+    for (i = 0; i < 18; ++i)
+        if (i < 6 || i > 8) o.corner[i] -= o.corner[6 + i % 3];
+    for (i = 6; i < 9; ++i) o.corner[i] = 0;
+    for (i = 9; i < 12; ++i) o.corner[i] *= 1e-170;
+    weigh(&c, &o);
+    CHECK(is_ordinary(&o)); /* to measure */
+    CHECK_OK(gradient(&o, &got));
+    check_gradient(&o, &got, 1e-10);
+}
+
+/* --- batches ------------------------------------------------------------------------------------------------------ */
+
+/* The ways in which this machine can run a batch. The public calls choose for themselves. */
+static const struct {
+    const char *name;
+    surfmink__measure_window *window;
+} instance_of[] = {
+    {"public", NULL},
+    {"plain", surfmink__window},
+#if SURFMINK__NATIVE == SURFMINK__SSE2
+    {"sse2", surfmink__window_sse2},
+#endif
+#if SURFMINK__NATIVE == SURFMINK__AVX2 || defined(SURFMINK__DISPATCHES)
+    {"avx2", surfmink__window_avx2},
+#endif
+#if SURFMINK__NATIVE == SURFMINK__AVX512 || defined(SURFMINK__DISPATCHES)
+    {"avx512", surfmink__window_avx512},
+#endif
+#if SURFMINK__NATIVE == SURFMINK__NEON
+    {"neon", surfmink__window_neon},
+#endif
+};
+
+static int can_run(size_t instance)
+{
+#ifdef SURFMINK__DISPATCHES
+    if (instance_of[instance].window == surfmink__window_avx2)
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (instance_of[instance].window == surfmink__window_avx512)
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+#endif
+    (void)instance;
+    return 1;
+}
+
+enum { BUNDLE = 40, ROOM = 4000 }; /* outlines, and corners of all */
+
+/* Many outlines of one surface, their weights, and what comes out. */
+typedef struct bundle {
+    enum surface surface;
+    size_t count, offset[BUNDLE + 1];
+    int max_rank;
+    double radius, corner[3 * ROOM], normal[3 * ROOM], mu[BUNDLE * (TOP + 1)], g[2 * BUNDLE * (TOP + 1)],
+        theta[BUNDLE * (TOP + 1)], length[BUNDLE];
+    surfmink_weights weights;
+} bundle;
+
+typedef struct answers {
+    int status[BUNDLE];
+    size_t refused;
+    double mu[BUNDLE * (TOP + 1)], by_corner[3 * ROOM], by_normal[3 * ROOM];
+} answers;
+
+/* Outlines of all sizes, some long, some refused, some that are not ordinary. */
+static void fill_bundle(chance *c, enum surface surface, int max_rank, bundle *b)
+{
+    static outline o;
+    static double xy[2 * CORNERS];
+    size_t i, n, ranks = (size_t)max_rank + 1;
+    b->surface = surface;
+    b->count = BUNDLE;
+    b->max_rank = max_rank;
+    b->radius = surface == SPHERE ? 3 : 1;
+    b->offset[0] = 0;
+    for (i = 0; i < BUNDLE; ++i) {
+        n = i % 10 == 7 ? 60 + one_of(c, 8) : i % 20 == 13 ? (i == 13 ? 600 : 513) : 3 + one_of(c, 8);
+        if (n < MOST)
+            gentle_star(c, n, xy);
+        else
+            wavy(c, n, xy);
+        lay(c, surface, xy, n, &o);
+        o.max_rank = max_rank;
+        o.radius = b->radius;
+        weigh(c, &o);
+        if (i == 4) surfmink_reverse(o.corner, n, dim_of(&o));
+        if (i == 4 && surface == EMBEDDED) surfmink_reverse(o.normal, n, 3);
+        if (i == 11) o.corner[1] = NAN;
+        if (i == 17 && surface != PLANE) onto_sphere(xy, n, 20, o.corner);
+        if (i == 17) memcpy(o.normal, o.corner, 3 * n * sizeof *o.corner);
+        if (i == 21 && surface == PLANE) { /* a short edge and a long one, which turns back */
+            o.corner[2] = o.corner[0] + 1e-9;
+            o.corner[3] = o.corner[1];
+        }
+        if (i == 22) n = 2;
+        memcpy(b->corner + dim_of(&o) * b->offset[i], o.corner, dim_of(&o) * n * sizeof *o.corner);
+        memcpy(b->normal + 3 * b->offset[i], o.normal, 3 * n * sizeof *o.normal);
+        memcpy(b->mu + ranks * i, o.mu, ranks * sizeof *o.mu);
+        memcpy(b->theta + ranks * i, o.theta, ranks * sizeof *o.mu);
+        memcpy(b->g + 2 * ranks * i, o.g, 2 * ranks * sizeof *o.mu);
+        b->length[i] = o.length;
+        b->offset[i + 1] = b->offset[i] + n;
+    }
+    b->weights.mu = b->mu;
+    b->weights.g = b->g;
+    b->weights.theta = b->theta;
+    b->weights.length = b->length;
+    b->weights.shared = 0;
+}
+
+static void run(size_t instance, const bundle *b, const size_t *offset, size_t count, const surfmink_weights *weights,
+                int with_normals, answers *a)
+{
+    static double scratch[6 * ROOM];
+    surfmink_results out = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL};
+    double *by_normal = with_normals && b->surface == EMBEDDED ? a->by_normal : NULL;
+    size_t i;
+    out.status = a->status;
+    out.mu = a->mu;
+    for (i = 0; i < 3 * ROOM; ++i) a->by_corner[i] = a->by_normal[i] = -77;
+    if (instance_of[instance].window) {
+        enum surfmink__kind kind = b->surface == PLANE    ? SURFMINK__PLANE
+                                   : b->surface == SPHERE ? SURFMINK__SPHERE
+                                                          : SURFMINK__EMBEDDED;
+        surfmink__job job = surfmink__job_of(kind, b->corner, b->normal, b->radius, offset, b->max_rank, &out, scratch);
+        surfmink__back back = surfmink__pulls(weights, a->by_corner, by_normal);
+        job.back = &back;
+        a->refused = surfmink__batch(&job, count, instance_of[instance].window);
+    } else if (b->surface == PLANE)
+        a->refused =
+            surfmink_batch_gradient_plane(b->corner, offset, count, b->max_rank, weights, &out, a->by_corner, scratch);
+    else if (b->surface == SPHERE)
+        a->refused = surfmink_batch_gradient_sphere(b->corner, offset, count, b->radius, b->max_rank, weights, &out,
+                                                    a->by_corner, scratch);
+    else
+        a->refused = surfmink_batch_gradient_embedded(b->corner, b->normal, offset, count, b->max_rank, weights, &out,
+                                                      a->by_corner, by_normal, scratch);
+}
+
+/* One outline of a bundle, with its own weights. */
+static void take(const bundle *b, size_t i, size_t weights, outline *o)
+{
+    size_t ranks = (size_t)b->max_rank + 1;
+    o->surface = b->surface;
+    o->n = b->offset[i + 1] - b->offset[i];
+    o->max_rank = b->max_rank;
+    o->radius = b->radius;
+    memcpy(o->corner, b->corner + dim_of(o) * b->offset[i], dim_of(o) * o->n * sizeof *o->corner);
+    memcpy(o->normal, b->normal + 3 * b->offset[i], 3 * o->n * sizeof *o->normal);
+    o->weights.mu = b->weights.mu ? b->mu + ranks * weights : NULL;
+    o->weights.g = b->weights.g ? b->g + 2 * ranks * weights : NULL;
+    o->weights.theta = b->weights.theta ? b->theta + ranks * weights : NULL;
+    o->weights.length = b->weights.length ? b->length + weights : NULL;
+}
+
+/* Rounding may differ; what is refused has to be the same. */
+static void batch_is_single(size_t instance, const bundle *b, const answers *a, int with_normals)
+{
+    static outline o;
+    static pulled got;
+    size_t i, refused = 0, dim = b->surface == PLANE ? 2 : 3;
+    for (i = 0; i < b->count; ++i) {
+        size_t numbers = dim * (b->offset[i + 1] - b->offset[i]);
+        const double *by_corner = a->by_corner + dim * b->offset[i], *by_normal = a->by_normal + 3 * b->offset[i];
+        take(b, i, b->weights.shared ? 0 : i, &o);
+        CASE("%s, %s, outline %lu of %lu corners, P = %d", instance_of[instance].name, surface_name[b->surface],
+             (unsigned long)i, (unsigned long)o.n, b->max_rank);
+        CHECK_STATUS(a->status[i], gradient(&o, &got));
+        if (a->status[i] != SURFMINK_OK) {
+            ++refused;
+            untouched(by_corner, numbers);
+            untouched(by_normal, numbers);
+            continue;
+        }
+        CHECK_NEAR(distance(by_corner, got.by_corner, numbers), 0, 1e-10 * norm_of(got.by_corner, numbers));
+        if (b->surface == EMBEDDED && with_normals)
+            CHECK_NEAR(distance(by_normal, got.by_normal, numbers), 0, 1e-10 * norm_of(got.by_normal, numbers));
+        else
+            untouched(by_normal, numbers);
+    }
+    CHECK_EQUAL(a->refused, refused);
+    CHECK(refused >= 2);
+}
+
+static void alone_as_among_others(size_t instance, const bundle *b, const answers *all)
+{
+    static answers one;
+    size_t i, dim = b->surface == PLANE ? 2 : 3, ranks = (size_t)b->max_rank + 1;
+    for (i = 0; i < b->count; ++i) {
+        surfmink_weights weights = b->weights;
+        size_t at = b->offset[i], numbers = b->offset[i + 1] - at;
+        CASE("%s, %s, outline %lu alone", instance_of[instance].name, surface_name[b->surface], (unsigned long)i);
+        if (!weights.shared) {
+            if (weights.mu) weights.mu += i * ranks;
+            if (weights.g) weights.g += 2 * i * ranks;
+            if (weights.theta) weights.theta += i * ranks;
+            if (weights.length) weights.length += i;
+        }
+        run(instance, b, b->offset + i, 1, &weights, 1, &one);
+        CHECK_SAME(one.by_corner + dim * at, all->by_corner + dim * at, dim * numbers);
+        CHECK_SAME(one.by_normal + 3 * at, all->by_normal + 3 * at, 3 * numbers);
+        untouched(one.by_corner, dim * at);
+        untouched(one.by_corner + dim * (at + numbers), dim * (ROOM - at - numbers));
+    }
+}
+
+THEOREM(a_batch_says_what_single_calls_say_whatever_stands_beside)
+{
+    static const int rank[3] = {6, 0, 30};
+    static bundle b;
+    static answers a;
+    size_t instance;
+    int surface, k;
+    chance c = {20};
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (k = 0; k < 3; ++k) {
+            fill_bundle(&c, (enum surface)surface, rank[k], &b);
+            for (instance = 0; instance < sizeof instance_of / sizeof *instance_of; ++instance) {
+                if (!can_run(instance)) continue;
+                b.weights.theta = (k + surface) % 2 ? b.theta : NULL;
+                b.weights.g = (k + surface) % 3 ? b.g : NULL;
+                b.weights.shared = (size_t)(k == 2);
+                run(instance, &b, b.offset, b.count, &b.weights, 1, &a);
+                batch_is_single(instance, &b, &a, 1);
+                alone_as_among_others(instance, &b, &a);
+                if (surface == EMBEDDED && k == 0) {
+                    run(instance, &b, b.offset, b.count, &b.weights, 0, &a);
+                    batch_is_single(instance, &b, &a, 0);
+                }
+                b.weights.mu = NULL;
+                b.weights.length = NULL;
+                run(instance, &b, b.offset, b.count, &b.weights, 1, &a);
+                batch_is_single(instance, &b, &a, 1);
+                b.weights.mu = b.mu;
+                b.weights.length = b.length;
+            }
+        }
+}
+
+/* Weights of lengths have their unit: on the sphere kernels have none. */
+THEOREM(a_batch_with_a_bad_argument_writes_nothing)
+{
+    static bundle b;
+    static answers a;
+    chance c = {21};
+    size_t backwards[3] = {9, 5, 5};
+    fill_bundle(&c, SPHERE, 6, &b);
+    b.radius = -1;
+    run(0, &b, b.offset, b.count, &b.weights, 1, &a);
+    CHECK_EQUAL(a.refused, b.count);
+    CHECK_STATUS(a.status[0], SURFMINK_BAD_ARGUMENT);
+    untouched(a.by_corner, 3 * ROOM);
+    b.radius = 1;
+    run(0, &b, backwards, 2, &b.weights, 1, &a);
+    CHECK_STATUS(a.status[0], SURFMINK_BAD_ARGUMENT);
+    CHECK_STATUS(a.status[1], SURFMINK_TOO_FEW_CORNERS);
+    b.max_rank = -2;
+    run(0, &b, b.offset, b.count, &b.weights, 1, &a);
+    CHECK_EQUAL(a.refused, b.count);
+    untouched(a.by_corner, 3 * ROOM);
+}
+
+int main(void)
+{
+    PROVE(the_gradient_in_the_plane_is_the_derivative_by_every_coordinate);
+    PROVE(the_gradient_on_the_sphere_is_the_derivative_by_every_coordinate);
+    PROVE(the_gradient_on_an_embedded_surface_is_the_derivative_by_every_corner_and_normal);
+    PROVE(gradients_of_long_outlines_are_derivatives_along_random_directions);
+    PROVE(gradients_are_orthogonal_to_translations_rotations_and_scaling);
+    PROVE(the_steps_lead_to_the_same_gradient);
+    PROVE(any_weights_of_lengths_and_turns_are_pulled_back);
+    PROVE(weights_of_edges_are_derivatives_by_lengths_and_turns);
+    PROVE(what_is_measured_on_the_way_is_what_measuring_says_to_the_bit);
+    PROVE(gradients_are_linear_in_the_weights);
+    PROVE(where_mu_is_zero_weights_of_mu_and_theta_count_as_nothing);
+    PROVE(noise_ends_at_1e_14);
+    PROVE(units_do_not_matter);
+    PROVE(weights_of_lengths_have_the_unit_of_lengths);
+    PROVE(outlines_that_are_not_ordinary_have_gradients_too);
+    PROVE(gradients_of_absurd_units_are_those_of_sensible_ones);
+    PROVE(what_is_refused_changes_nothing_and_is_named);
+    PROVE(outputs_that_nobody_wants_may_be_null);
+    PROVE(an_edge_next_to_nothing_has_a_huge_gradient);
+    PROVE(a_batch_says_what_single_calls_say_whatever_stands_beside);
+    PROVE(a_batch_with_a_bad_argument_writes_nothing);
+    return QED();
+}
