@@ -319,7 +319,7 @@ for unit in "$work/whole.c" "$work/static.c" examples/*.c; do
         cppcheck -q --std=c99 --enable=warning,performance,portability --error-exitcode=1 --force \
             --suppressions-list=.cppcheck -I. $unit"
 done
-for unit in "$work/whole.c" examples/levelset.c examples/tissue.c; do
+for unit in "$work/whole.c" examples/levelset.c examples/relax.c examples/tissue.c; do
     check "gcc -fanalyzer, ${unit##*/}" "gcc -std=c99 -O1 -fanalyzer -I. -c $unit -o $here/unit.o"
 done
 
@@ -348,6 +348,9 @@ check "the command's contract, with sanitizers" "$gcc_sanitize \
 check "levelset's contract, with sanitizers" "$gcc_sanitize \
     examples/levelset.c -o $here/levelset -lm &&
     $(quietly "sh tests/test_levelset.sh $here/levelset .build/surfmink")"
+check "relax's contract, with sanitizers" "$gcc_sanitize \
+    examples/relax.c -o $here/relax -lm &&
+    $(quietly "sh tests/test_relax.sh $here/relax .build/tissue .build/surfmink")"
 check "the commands under abuse, with sanitizers" "
     for command in surfmink levelset tissue; do
         $gcc_sanitize examples/\$command.c -o $here/\$command -lm || echo \$command

@@ -354,6 +354,62 @@ static void steps(const outline *o, int curved)
     put(surfmink_regular_polygon(&sphere, x, 0.25, 0.5, STEP_RANK, out), out, 3 * STEP_RANK);
 }
 
+/* Smooth curves, directions at the centre, gradients. */
+static void beyond(enum call call, const outline *o)
+{
+    static double by_corner[3 * CORNERS], by_normal[3 * CORNERS], scratch[8 * CORNERS], vector[3 * STEP_RANK + 3];
+    double mu[STEP_RANK + 1], error[STEP_RANK + 1], g[2 * STEP_RANK + 2], length[CORNERS], phase[CORNERS];
+    double coherence[STEP_RANK + 1], push[2 * STEP_RANK + 2];
+    const size_t dim = call == PLANE ? 2 : 3;
+    surfmink_weights weights;
+    int i, status;
+    for (i = 0; i < 2 * STEP_RANK + 2; ++i) push[i] = scaled(below(1 << 20) - (1 << 19), -20);
+    weights.mu = push;
+    weights.g = push;
+    weights.theta = push + STEP_RANK;
+    weights.length = push + 1;
+    weights.shared = 0;
+    switch (call) {
+    case PLANE:
+        status = surfmink_gradient_plane(o->plane, o->n, STEP_RANK, &weights, mu, g, NULL, by_corner, scratch, NULL);
+        put(status, by_corner, (int)(dim * o->n));
+        status = surfmink_curve_plane(o->plane, NULL, o->n, 4, STEP_RANK, scratch, mu, error, g, NULL, NULL);
+        break;
+    case SPHERE:
+        status = surfmink_gradient_sphere(o->sphere, o->n, radius, STEP_RANK, &weights, mu, g, NULL, by_corner,
+                                          scratch, NULL);
+        put(status, by_corner, (int)(dim * o->n));
+        status = surfmink_curve_sphere(o->sphere, NULL, o->n, radius, 4, STEP_RANK, scratch, mu, error, g, NULL, NULL);
+        break;
+    default:
+        status = surfmink_gradient_embedded(o->embedded, o->normal, o->n, STEP_RANK, &weights, mu, g, NULL, by_corner,
+                                            by_normal, scratch, NULL);
+        put(status, by_corner, (int)(dim * o->n));
+        put(status, by_normal, (int)(dim * o->n));
+        status = surfmink_curve_embedded(o->embedded, o->normal, NULL, o->n, 4, STEP_RANK, scratch, mu, error, g, NULL,
+                                         NULL);
+    }
+    put(status, mu, STEP_RANK + 1);
+    put(status, error, STEP_RANK + 1);
+    put(status, g, 2 * STEP_RANK + 2);
+    if (call == PLANE) status = surfmink_edges_plane(o->plane, o->n, length, phase, NULL);
+    if (call == SPHERE) status = surfmink_edges_sphere(o->sphere, o->n, radius, length, phase, NULL);
+    if (call == EMBEDDED) status = surfmink_edges_embedded(o->embedded, o->normal, o->n, length, phase, NULL);
+    if (!status) status = surfmink_phases(phase, o->n, SURFMINK_CORRECTED, phase);
+    if (!status) status = surfmink_irreducible(length, phase, o->n, STEP_RANK, g);
+    if (status) return;
+    if (call == PLANE)
+        status = surfmink_director_plane(o->plane, o->n, length, phase, g, STEP_RANK, scratch, NULL, vector, coherence);
+    if (call == SPHERE)
+        status =
+            surfmink_director_sphere(o->sphere, o->n, length, phase, g, STEP_RANK, scratch, NULL, vector, coherence);
+    if (call == EMBEDDED)
+        status = surfmink_director_embedded(o->embedded, o->normal, o->n, length, phase, g, STEP_RANK, scratch, NULL,
+                                            NULL, vector, coherence);
+    put(status, vector, (int)(dim * (STEP_RANK + 1)));
+    put(status, coherence, STEP_RANK + 1);
+}
+
 static double all_corners[3 * CORNERS * OUTLINES], all_normals[3 * CORNERS * OUTLINES];
 
 static void batch(enum call call)
@@ -412,9 +468,9 @@ static void begin(void)
     count = refused = 0;
 }
 
-static void end(const char *batches, const char *name)
+static void end(const char *before, const char *name)
 {
-    printf("%s%s: %d outputs, %d refused, bits %08lx%08lx\n", batches, name, count, refused,
+    printf("%s%s: %d outputs, %d refused, bits %08lx%08lx\n", before, name, count, refused,
            (unsigned long)(digest >> 32), (unsigned long)(digest & 0xffffffff));
 }
 
@@ -429,6 +485,11 @@ static void measure_all(void)
     begin();
     for (i = 0; i < OUTLINES; ++i) steps(shape + i, i & 1);
     end("", "steps");
+    for (call = 0; call < SURFACE; ++call) {
+        begin();
+        for (i = 0; i < OUTLINES; ++i) beyond((enum call)call, shape + i);
+        end("curves, gradients, directions of ", call_name[call]);
+    }
     for (call = 0; call < SURFACE; ++call) {
         begin();
         batch((enum call)call);
