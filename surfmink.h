@@ -4088,10 +4088,10 @@ static int surfmink__director(const surfmink__outline *o, const double *length, 
     if (!(total > 0)) return SURFMINK_BAD_ARGUMENT;
     if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
     if ((status = surfmink__middle(o, length, total, middle, normal)) != SURFMINK_OK) return status;
-    if ((status = surfmink__tilted(o, 0, normal, e1)) != SURFMINK_OK) return status;
-    surfmink__cross(normal, e1, e2);
     for (i = 0; i < o->n; ++i) {
         if ((status = surfmink__tilted(o, i, normal, nu)) != SURFMINK_OK) return status;
+        for (k = 0; k < 3 && i == 0; ++k) e1[k] = nu[k];
+        if (i == 0) surfmink__cross(normal, e1, e2);
         scratch[i] = SURFMINK_ATAN2(surfmink__dot(nu, e2), surfmink__dot(nu, e1)) - phase[i];
     }
     curve = surfmink__curve_of(&measured, total, 0);

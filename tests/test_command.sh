@@ -971,7 +971,8 @@ wrong "--view is for pictures" --view 1,2
 wrong "--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '1'" --svg a.svg --view 1
 wrong "--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '0,0,0'" --svg a.svg --view 0,0,0
 wrong "--view can be given 6 times at most" --view 1,2 --view 1,2 --view 1,2 --view 1,2 --view 1,2 --view 1,2 --view 1,2
-wrong "--svg draws 12 panels at most" --svg a.svg --view front --view back --view 1,2 --view 1,3 --view 1,4 --color-by 1,2,3
+wrong "--svg draws 12 panels at most" \
+    --svg a.svg --view front --view back --view 1,2 --view 1,3 --view 1,4 --color-by 1,2,3
 wrong "--view 1,91: a latitude" --svg a.svg --view 1,91
 wrong "--svg needs the name of a file" --svg -
 wrong "--histogram needs the name of a file" --histogram=

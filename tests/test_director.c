@@ -439,8 +439,9 @@ THEOREM(on_the_sphere_only_the_directions_of_the_corners_count)
     }
 }
 
-/* Isosceles triangles from slim to almost half a sphere wide: edge 0 is longer than 90 degrees in every other one, where
-   its frame comes from the difference of its ends. Mirrored they are the same, and so are all that the centre has. */
+/* Isosceles triangles from slim to almost half a sphere wide: edge 0 is longer than 90 degrees in every other one,
+   where its frame comes from the difference of its ends. Mirrored they are the same, and so is all that the centre
+   has. */
 THEOREM(the_direction_of_an_isosceles_triangle_lies_in_its_mirror_or_between_however_long_its_edges)
 {
     chance c = {211};
@@ -618,7 +619,7 @@ THEOREM(each_output_may_be_left_out_and_the_phases_may_be_the_scratch)
 THEOREM(rank_0_alone_can_be_asked_for)
 {
     static const double corner[8] = {0, 0, 1, 0, 1, 1, 0, 1}, length[4] = {1, 1, 1, 1}, phase[4] = {0, 1, 2, 3};
-    const double g[4] = {4, 0, NAN, NAN}; /* nobody looks behind the ranks */
+    const double g[4] = {4, 0, nan(""), nan("")}; /* nobody looks behind the ranks */
     double scratch[4], centre[2], direction[3] = {7, 7, 7}, coherence[2] = {7, 7};
     CHECK_OK(surfmink_director_plane(corner, 4, length, phase, g, 0, scratch, centre, direction, coherence));
     CHECK_NEAR(direction[0], 0, 0);
@@ -726,8 +727,14 @@ THEOREM(an_outline_whose_normals_cancel_has_no_mean_normal)
     static const double once_round[5] = {0, PI / 2, PI, 3 * PI / 2, 2 * PI};
     static const double most[5] = {0, 1.2, 2.4, 3.6, 4.8};
     static const double weight[10] = {1, 1, 1, 1, 0, 1, 1, 1, 1, 0};
+    static const double flat[5] = {0, 0, 0, 0, 0};
     outline o;
     middle m;
+    bent(&o, flat, 5); /* neighbours with opposite normals have none between them */
+    CHECK_OK(steps(&o, 1));
+    CHECK_OK(director(&o, &m));
+    o.normal[3 * 2 + 1] = -1;
+    check_refused(&o, P, SURFMINK_ZERO_NORMAL);
     bent(&o, once_round, 5); /* the wall of a box: the long sides cancel, if the short ones do not count */
     CHECK_OK(steps(&o, 1));
     memcpy(o.length, weight, sizeof weight);

@@ -389,9 +389,12 @@ THEOREM(far_away_squares_keep_their_area_and_every_other_digit)
 
 THEOREM(the_area_of_a_plane_polygon_is_the_sum_of_its_triangles)
 {
+    static const double nowhere[6] = {0, 0, 0, 0, 0, 0};
     chance c = {11};
     double xy[2 * MOST], area;
     int trial;
+    CHECK_OK(surfmink_area_plane(nowhere, 3, &area));
+    CHECK_NEAR(area, 0, 0);
     for (trial = 0; trial < 500; ++trial) {
         size_t n = 3 + one_of(&c, MOST - 2), i;
         double sum = 0;

@@ -1,6 +1,7 @@
 #!/bin/sh
-# test_pictures.sh COMMAND: holds the pictures, charts and polygons in space that `surfmink` draws, and the directions at
-# the centre, to its table and to its --help. Needs only a POSIX shell. Run it from the root of the repository.
+# test_pictures.sh COMMAND: holds the pictures, charts and polygons in space that `surfmink` draws, and the
+# directions at the centre, to its table and to its --help. Needs only a POSIX shell. Run it from the root of the
+# repository.
 . "$(dirname "$0")/harness.sh"
 surfmink=$(absolute "$1")
 data=$(absolute examples/data)
@@ -121,7 +122,8 @@ check "the same bytes again" "$(cmp a.svg b.svg)" ""
 has "title, for whoever cannot see" a.svg '<title id="title">Cells &#60;&#38; &#34;more&#34;&#62;</title>'
 check "title, for whoever can" "$(grep -c '>Cells &#60;&#38; &#34;more&#34;&#62;</text>' a.svg)" 1
 has "unit at the scale bar" a.svg '>2 a &#38; b</text>'
-has "description: what is drawn" a.svg '<desc id="description">4 outlines (1 of them refused) filled by mu_3, dark for 0 to'
+has "description: what is drawn" a.svg \
+    '<desc id="description">4 outlines (1 of them refused) filled by mu_3, dark for 0 to'
 check "no fonts but the reader's, and nothing from elsewhere" "$(grep -c 'href\|font-face\|url(http' a.svg)" 0
 # The scale bar is 2 units long, and so is the lower edge of the triangle.
 bar=$(sed -n 's/.*stroke-width="4" d="M[0-9. ]*h\([0-9.]*\)".*/\1/p' a.svg)
@@ -152,7 +154,8 @@ check "colours do not depend on the panels" "$(fills b.svg kite)" "$(fills a.svg
 strokes b.svg 1 > alone
 run shapes.tsv --svg c.svg --color-by mu_1,mu_3
 near_lists "strokes of the second panel are those of its rank" "$(strokes c.svg 1)" "$(cat alone)" 0.2
-check "one panel has no letter, and its bar at the right" "$(grep -c 'bold">\|bar_below' b.svg) $(grep -c 'url(#bar)' b.svg)" "0 1"
+check "one panel has no letter, and its bar at the right" \
+    "$(grep -c 'bold">\|bar_below' b.svg) $(grep -c 'url(#bar)' b.svg)" "0 1"
 printf 'bad\t0\t5\nbad\t0\t6\nbad\t1\t6\n' | cat shapes.tsv - | grep 'cell\|tri\|bad' > in
 run --svg a.svg --quiet --color-by mu_2
 has "what is refused does not count for the colours" a.svg ">0.8</text>"
@@ -202,7 +205,8 @@ counts() {
 run "$data/tissue.tsv" --histogram a.svg
 check "every cell is counted once, in every panel" "$(counts a.svg)" "400 400 400 400 400 400 "
 for p in 2 6; do
-    awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ { sub(/.*<title>/, ""); sub(/<.*/, ""); print panel, $0 }' a.svg |
+    awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ {
+        sub(/.*<title>/, ""); sub(/<.*/, ""); print panel, $0 }' a.svg |
         awk -v p=$p '$1 == p { print $2, $5 }' | sed 's/://' > bins
     check "mu_$p: as many as the table has, bin by bin" "$(cat bins)" "$(
         column mu_$p | awk '{ k = int(20 * $1); if (k > 19) k = 19; ++n[k] }
@@ -224,13 +228,15 @@ printf 'cell x y\nx 0 0\n' > in
 run --histogram a.svg --scatter b.svg --svg c.svg --ply d.ply --quiet
 check "nothing measured: exit status" "$status" 2
 check "nothing measured: no bars, no median, no points, no outlines" \
-    "$(grep -c 'rect x=\|median ' a.svg) $(grep -c '<circle' b.svg) $(grep -c '<title>x' c.svg) $(tail -n 1 d.ply)" "0 0 0 end_header"
+    "$(grep -c 'rect x=\|median ' a.svg) $(grep -c '<circle' b.svg) $(grep -c '<title>x' c.svg) $(tail -n 1 d.ply)" \
+    "0 0 0 end_header"
 
 # --- one rank over another --------------------------------------------------------------------------------------------
 
 # points FILE: what the tooltips say, and where the points are, in units of the axes.
 points() {
-    sed -n 's/<circle cx="\([0-9.]*\)" cy="\([0-9.]*\)".*<title>\(.*\): \([0-9.]*\), \([0-9.]*\)<.*/\1 \2 \3 \4 \5/p' "$1"
+    number='\([0-9.]*\)'
+    sed -n "s/<circle cx=\"$number\" cy=\"$number\".*<title>\(.*\): $number, $number<.*/\1 \2 \3 \4 \5/p" "$1"
 }
 run "$data/tissue.tsv" --scatter a.svg
 check "a point for each cell" "$(points a.svg | wc -l | tr -d ' ')" 400
@@ -269,30 +275,37 @@ ply() {
 }
 run "$data/tissue.tsv" --ply a.ply
 check "a face for each cell" "$(ply a.ply face mu_1 | wc -l | tr -d ' ')" 400
-check "a vertex for each corner" "$(ply a.ply vertex x | wc -l | tr -d ' ')" "$(column n | awk '{ s += $1 } END { print s }')"
+check "a vertex for each corner" \
+    "$(ply a.ply vertex x | wc -l | tr -d ' ')" "$(column n | awk '{ s += $1 } END { print s }')"
 for p in 1 2 3 4 5 6; do
     check "mu_$p of the faces: to the last digit" "$(ply a.ply face mu_$p | cksum)" "$(column mu_$p | cksum)"
 done
-near_lists "corners as they came in" "$(ply a.ply vertex z)" "$(awk -F '\t' '!/^#/ && $1 != "cell" { print $4 }' "$data/tissue.tsv")" 0
-near_lists "and their normals, unit" "$(ply a.ply vertex nz)" "$(awk -F '\t' '!/^#/ && $1 != "cell" { print $7 }' "$data/tissue.tsv")" 1e-8
+near_lists "corners as they came in" \
+    "$(ply a.ply vertex z)" "$(awk -F '\t' '!/^#/ && $1 != "cell" { print $4 }' "$data/tissue.tsv")" 0
+near_lists "and their normals, unit" \
+    "$(ply a.ply vertex nz)" "$(awk -F '\t' '!/^#/ && $1 != "cell" { print $7 }' "$data/tissue.tsv")" 1e-8
 ply a.ply face mu_2 > mu
 ply a.ply face list | cut -d ' ' -f 1 > n
 check "vertices carry what their face does" "$(ply a.ply vertex mu_2 | cksum)" "$(
     paste n mu | awk '{ for (i = 0; i < $1; ++i) print $2 }' | cksum)"
 check "faces have their corners in order, each its own" "$(
-    ply a.ply face list | awk '{ for (i = 2; i <= $1 + 1; ++i) if ($i != next_corner++) ++bad } END { print bad + 0 }')" 0
+    ply a.ply face list |
+        awk '{ for (i = 2; i <= $1 + 1; ++i) if ($i != next_corner++) ++bad } END { print bad + 0 }')" 0
 run four.tsv --ply a.ply --svg a.svg --color-by mu_3 --quiet
 check "refused outlines have -1" "$(ply a.ply face mu_2 | tail -n 1)" -1
 check "and are grey" "$(for c in red green blue; do ply a.ply face $c | tail -n 1; done | tr '\n' ' ')" "150 150 150 "
 check "colours are those of the picture" "$(for c in red green blue; do ply a.ply face $c > $c; done
     paste -d ' ' red green blue | head -n 3 | awk '{ printf "#%02x%02x%02x\n", $1, $2, $3 }')" \
     "$(sed -n 's/.* fill="\(#[0-9a-f]*\)"><title>.*mu_3 = .*/\1/p' a.svg)"
-check "the plane lies at z = 0, its normals upwards" "$(ply a.ply vertex z | sort -u) $(ply a.ply vertex nz | sort -u)" "0 1"
+check "the plane lies at z = 0, its normals upwards" \
+    "$(ply a.ply vertex z | sort -u) $(ply a.ply vertex nz | sort -u)" "0 1"
 printf 'ring lon lat\no 0 0\no 90 0\no 0 90\n' > in
 run --ply a.ply --radius 6371
-check "on a sphere corners lie at its radius" "$(ply a.ply vertex x | head -n 1) $(ply a.ply vertex nx | head -n 1)" "6371 1"
+check "on a sphere corners lie at its radius" \
+    "$(ply a.ply vertex x | head -n 1) $(ply a.ply vertex nx | head -n 1)" "6371 1"
 for n in 255 256; do
-    awk -v n=$n 'BEGIN { print "c x y"; for (k = 0; k < n; ++k) print "o", cos(k / n * 6.283185), sin(k / n * 6.283185) }' > in
+    awk -v n=$n 'BEGIN { print "c x y";
+            for (k = 0; k < n; ++k) print "o", cos(k / n * 6.283185), sin(k / n * 6.283185) }' > in
     run --ply $n.ply
     check "a polygon of $n corners" "$(ply $n.ply face list | cut -d ' ' -f 1,$((n + 1)))" "$n $((n - 1))"
 done

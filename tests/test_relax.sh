@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_relax.sh RELAX TISSUE SURFMINK: does the energy of a tissue fall at every step, and is it that of what is written?
-# Run it from the root of the repository.
+# test_relax.sh RELAX TISSUE SURFMINK: does the energy of a tissue fall at every step, and is it that of what is
+# written? Run it from the root of the repository.
 . "$(dirname "$0")/harness.sh"
 relax=$(absolute "$1")
 tissue=$(absolute "$2")
@@ -32,7 +32,8 @@ for rank in 6 2 3; do
     check "rank $rank: read again, it is the same to the digit" "$(energy again)" "$(energy calm)"
     "$surfmink" calm > measured 2> err
     check "rank $rank: surfmink measures all cells" "$? $(cat err)" "0 "
-    mean=$(awk -v name="mu_$rank" -F '\t' '/^#/ { next } !column { for (i = 1; i <= NF; ++i) if ($i == name) column = i; next }
+    mean=$(awk -v name="mu_$rank" -F '\t' '/^#/ { next }
+        !column { for (i = 1; i <= NF; ++i) if ($i == name) column = i; next }
         { sum += $column; ++n } END { print sum / n }' measured)
     near "rank $rank: and finds the same mean mu" "$mean" "$(last 4)" 2e-6
 done

@@ -38,7 +38,10 @@ ratio() {
         instructions "$1" $column "$2" "$3" "$4" 1 || exit 1
     done | awk -v before="$(instructions "$1" B "$2" "$3" "$4" 0)" '
         { split(before, b, " "); per[NR] = ($1 - b[1]) / b[2] }
-        END { printf "%10.1f%10.1f%8.2f%10.1f%10.1f%8.2f\n", per[1], per[2], per[2] / per[1], per[3], per[4], per[4] / per[3] }'
+        END {
+            printf "%10.1f%10.1f%8.2f", per[1], per[2], per[2] / per[1]
+            printf "%10.1f%10.1f%8.2f\n", per[3], per[4], per[4] / per[3]
+        }'
 }
 
 for program in "$@"; do

@@ -376,8 +376,8 @@ static void beyond(enum call call, const outline *o)
         status = surfmink_curve_plane(o->plane, NULL, o->n, 4, STEP_RANK, scratch, mu, error, g, NULL, NULL);
         break;
     case SPHERE:
-        status = surfmink_gradient_sphere(o->sphere, o->n, radius, STEP_RANK, &weights, mu, g, NULL, by_corner,
-                                          scratch, NULL);
+        status = surfmink_gradient_sphere(o->sphere, o->n, radius, STEP_RANK, &weights, mu, g, NULL, by_corner, scratch,
+                                          NULL);
         put(status, by_corner, (int)(dim * o->n));
         status = surfmink_curve_sphere(o->sphere, NULL, o->n, radius, 4, STEP_RANK, scratch, mu, error, g, NULL, NULL);
         break;
