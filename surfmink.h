@@ -4930,21 +4930,13 @@ typedef struct surfmink__source {
 static int surfmink__bend(const double x[3], const double y[3], const double x_normal[3], const double y_normal[3],
                           double *bend, double *twist)
 {
-    double edge[3], e[3], a[3], b[3], d[3], mean[3], n[3], side[3], part;
-    size_t k;
-    surfmink__sub(y, x, 3, edge);
-    surfmink__unit(edge, 3, e);
+    double frame[9], a[3], b[3], d[3];
+    if (surfmink__chord_frame(x, y, x_normal, y_normal, frame) != SURFMINK_OK) return 0;
     surfmink__unit(x_normal, 3, a);
     surfmink__unit(y_normal, 3, b);
-    for (k = 0; k < 3; ++k) mean[k] = a[k] + b[k];
-    part = surfmink__dot(mean, e);
-    for (k = 0; k < 3; ++k) mean[k] -= part * e[k];
-    if (!(surfmink__max_abs(mean, 3) > 1e-6)) return 0;
-    surfmink__unit(mean, 3, n);
     surfmink__sub(b, a, 3, d);
-    surfmink__cross(n, e, side);
-    *bend = -surfmink__dot(d, e);
-    *twist = -surfmink__dot(d, side);
+    *bend = -surfmink__dot(d, frame + 3);
+    *twist = surfmink__dot(d, frame); /* nu is N x e the other way round */
     return 1;
 }
 

@@ -16,6 +16,7 @@
 #endif
 
 #include "harness.h"
+#include "instances.h"
 #include "shapes.h"
 #include "table.h"
 
@@ -27,51 +28,13 @@ static const char *const surface_name[SURFACES] = {"plane", "sphere", "embedded"
 #endif
 #define STRIDE (1 + FEWER / 20 * 2) /* odd: through what is tried one by one */
 
-/* --- instances: the ways in which this machine can run a batch ---------------------------------------------------- */
+/* --- instances ---------------------------------------------------------------------------------------------------- */
 
 static int on_trial; /* the instance that all theorems are about just now; 0 is the public calls */
-
-/* The public calls choose for themselves. */
-static const struct {
-    const char *name;
-    surfmink__measure_window *window;
-} instance_of[] = {
-    {"public", NULL},
-    {"plain", surfmink__window},
-#if SURFMINK__NATIVE == SURFMINK__SSE2
-    {"sse2", surfmink__window_sse2},
-#endif
-#if SURFMINK__NATIVE == SURFMINK__AVX2 || defined(SURFMINK__DISPATCHES)
-    {"avx2", surfmink__window_avx2},
-#endif
-#if SURFMINK__NATIVE == SURFMINK__AVX512 || defined(SURFMINK__DISPATCHES)
-    {"avx512", surfmink__window_avx512},
-#endif
-#if SURFMINK__NATIVE == SURFMINK__NEON
-    {"neon", surfmink__window_neon},
-#endif
-};
-
-static int instances(void)
-{
-    return (int)(sizeof instance_of / sizeof *instance_of);
-}
 
 static const char *instance_name(int instance)
 {
     return instance_of[instance].name;
-}
-
-static int can_run(int instance)
-{
-#ifdef SURFMINK__DISPATCHES
-    if (instance_of[instance].window == surfmink__window_avx2)
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (instance_of[instance].window == surfmink__window_avx512)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-#endif
-    (void)instance;
-    return 1;
 }
 
 static size_t batch(int instance, enum surface surface, const double *corner, const double *normal, double radius,
@@ -1745,7 +1708,7 @@ static void prove_all(void)
 
 int main(void)
 {
-    for (on_trial = 0; on_trial < instances(); ++on_trial)
+    for (on_trial = 0; on_trial < INSTANCES; ++on_trial)
         if (can_run(on_trial))
             prove_all();
         else

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "harness.h"
+#include "instances.h"
 #include "shapes.h"
 
 #ifndef FEWER
@@ -1052,39 +1053,6 @@ THEOREM(an_edge_next_to_nothing_has_a_huge_gradient)
 
 /* --- batches ------------------------------------------------------------------------------------------------------ */
 
-/* The ways in which this machine can run a batch. The public calls choose for themselves. */
-static const struct {
-    const char *name;
-    surfmink__measure_window *window;
-} instance_of[] = {
-    {"public", NULL},
-    {"plain", surfmink__window},
-#if SURFMINK__NATIVE == SURFMINK__SSE2
-    {"sse2", surfmink__window_sse2},
-#endif
-#if SURFMINK__NATIVE == SURFMINK__AVX2 || defined(SURFMINK__DISPATCHES)
-    {"avx2", surfmink__window_avx2},
-#endif
-#if SURFMINK__NATIVE == SURFMINK__AVX512 || defined(SURFMINK__DISPATCHES)
-    {"avx512", surfmink__window_avx512},
-#endif
-#if SURFMINK__NATIVE == SURFMINK__NEON
-    {"neon", surfmink__window_neon},
-#endif
-};
-
-static int can_run(size_t instance)
-{
-#ifdef SURFMINK__DISPATCHES
-    if (instance_of[instance].window == surfmink__window_avx2)
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (instance_of[instance].window == surfmink__window_avx512)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-#endif
-    (void)instance;
-    return 1;
-}
-
 enum { BUNDLE = 40, ROOM = 4000 }; /* outlines, and corners of all */
 
 /* Many outlines of one surface, their weights, and what comes out. */
@@ -1149,7 +1117,7 @@ static void fill_bundle(chance *c, enum surface surface, int max_rank, bundle *b
     b->weights.shared = 0;
 }
 
-static void run(size_t instance, const bundle *b, const size_t *offset, size_t count, const surfmink_weights *weights,
+static void run(int instance, const bundle *b, const size_t *offset, size_t count, const surfmink_weights *weights,
                 int with_normals, answers *a)
 {
     static double scratch[6 * ROOM];
@@ -1195,7 +1163,7 @@ static void take(const bundle *b, size_t i, size_t weights, outline *o)
 }
 
 /* Rounding may differ; what is refused has to be the same. */
-static void batch_is_single(size_t instance, const bundle *b, const answers *a, int with_normals)
+static void batch_is_single(int instance, const bundle *b, const answers *a, int with_normals)
 {
     static outline o;
     static pulled got;
@@ -1223,7 +1191,7 @@ static void batch_is_single(size_t instance, const bundle *b, const answers *a, 
     CHECK(refused >= 2);
 }
 
-static void alone_as_among_others(size_t instance, const bundle *b, const answers *all)
+static void alone_as_among_others(int instance, const bundle *b, const answers *all)
 {
     static answers one;
     size_t i, dim = b->surface == PLANE ? 2 : 3, ranks = (size_t)b->max_rank + 1;
@@ -1250,13 +1218,13 @@ THEOREM(a_batch_says_what_single_calls_say_whatever_stands_beside)
     static const int rank[3] = {6, 0, 30};
     static bundle b;
     static answers a;
-    size_t instance;
+    int instance;
     int surface, k;
     chance c = {20};
     for (surface = 0; surface < SURFACES; ++surface)
         for (k = 0; k < 3; ++k) {
             fill_bundle(&c, (enum surface)surface, rank[k], &b);
-            for (instance = 0; instance < sizeof instance_of / sizeof *instance_of; ++instance) {
+            for (instance = 0; instance < INSTANCES; ++instance) {
                 if (!can_run(instance)) continue;
                 b.weights.theta = (k + surface) % 2 ? b.theta : NULL;
                 b.weights.g = (k + surface) % 3 ? b.g : NULL;
