@@ -182,7 +182,7 @@ check "freestanding, with libm replaced" "
 
 # --- the programs around it -------------------------------------------------------------------------------------------
 for program in examples/*.c examples/paper/*.c; do
-    check "gcc, $program" "gcc -std=c99 $wall_c -O2 -I. -c $program -o $here/program.o"
+    check "gcc, $program" "gcc -std=c99 $wall_c -O1 -I. -c $program -o $here/program.o"
     check "clang, $program" "clang -std=c99 $wall_c -I. -c $program -o $here/program.o"
 done
 
@@ -195,7 +195,8 @@ inside=$(grep -l 'surfmink__' tests/test_*.c)
 all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
 singles=$(echo "$some" | sed 's|tests/test_batch.c ||')
-quick=$(echo "$all" | tr ' ' '\n' | grep -vE 'test_(long|mesh|paper|surfaces)' | tr '\n' ' ') # under valgrind
+# under valgrind, whose long double is a double: test_gradient needs more
+quick=$(echo "$all" | tr ' ' '\n' | grep -vE 'test_(batch|curve|gradient|long|mesh|paper|surfaces)' | tr '\n' ' ')
 theorems() {
     programs=$1 fewer=$2 runner=$3 number_before=$number
     shift 3
@@ -217,10 +218,10 @@ theorems "$all" 50 "" tcc
 theorems "$all" 200 "" musl-gcc -O1
 theorems "$all" 1000 qemu-s390x $s390x -O1
 theorems "$singles" 1000 qemu-i386 $gcc32 -O1 -msse2 -mfpmath=sse
-theorems "$singles" 1000 qemu-i386 $gcc32 -O1 -mno-sse
+theorems "tests/test_properties.c tests/test_reference.c" 1000 qemu-i386 $gcc32 -O1 -mno-sse
 theorems "$some" 1000 qemu-aarch64 $arm64 -O2
 theorems "$all" 1000 "" clang -O1 -g $sanitize
-theorems "$all" 100 "" clang -O1 -g -fsanitize=memory -DSURFMINK_NO_SIMD
+theorems "$all" 1000 "" clang -O1 -g -fsanitize=memory -DSURFMINK_NO_SIMD
 check "clang -fsanitize=memory, batches in vector instructions" "
     clang -std=c99 -O1 -g -fsanitize=memory -I. tests/check/outputs.c -o $here/outputs -lm &&
     $(quietly "$here/outputs")"
@@ -228,7 +229,7 @@ theorems "$quick" 200 "valgrind -q --error-exitcode=9" gcc -O1 -g
 
 # batches: what threads, other instructions and plain C make of them
 for flags in "gcc -O2 -fopenmp" "gcc -O2 -DSURFMINK_NO_SIMD"; do
-    check "$flags, batches" "$flags -std=c99 -DFEWER=10 -I. tests/test_batch.c -o $here/theorem -lm &&
+    check "$flags, batches" "$flags -std=c99 -DFEWER=40 -I. tests/test_batch.c -o $here/theorem -lm &&
         $(quietly "$here/theorem")"
 done
 for flags in "-O2" "-Ofast -march=native"; do
