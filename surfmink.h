@@ -2354,26 +2354,29 @@ SURFMINK__KERNEL void SURFMINK__(measure_strips)(const surfmink__job *job, SURFM
     }
 }
 
-/* Lengths and turns into the caller's scratch, or back again. */
+/* Lengths and turns into the caller's scratch, or back again. No condition in the loops: gcc 12 makes masked AVX-512
+   instructions of those at -O3, and wrong ones. */
 SURFMINK__KERNEL void SURFMINK__(keep)(const surfmink__job *job, const SURFMINK__(group) *g, size_t row, size_t rows,
                                        SURFMINK__(rows) *r, int back)
 {
     double *at;
-    size_t lane, i, j;
+    size_t lane, i, some;
     for (lane = 0; lane < SURFMINK__LANES; ++lane) {
+        some = row < g->count[lane] ? g->count[lane] - row : 0;
+        if (some > rows) some = rows;
         at = job->scratch + 2 * (g->start[lane] + row);
-        for (j = 0; j < rows; ++j, at += 2) {
-            i = j * SURFMINK__LANES + lane;
-            if (row + j >= g->count[lane]) { /* padding */
-                if (back) r->length[i] = r->turned[i] = 0;
-            } else if (back) {
-                r->length[i] = at[0];
-                r->turned[i] = at[1];
-            } else {
-                at[0] = r->length[i];
-                at[1] = r->turned[i];
+        if (back) {
+            for (i = 0; i < some; ++i) {
+                r->length[i * SURFMINK__LANES + lane] = at[2 * i];
+                r->turned[i * SURFMINK__LANES + lane] = at[2 * i + 1];
             }
-        }
+            for (; i < rows; ++i) /* padding */
+                r->length[i * SURFMINK__LANES + lane] = r->turned[i * SURFMINK__LANES + lane] = 0;
+        } else
+            for (i = 0; i < some; ++i) {
+                at[2 * i] = r->length[i * SURFMINK__LANES + lane];
+                at[2 * i + 1] = r->turned[i * SURFMINK__LANES + lane];
+            }
     }
 }
 
@@ -4398,7 +4401,7 @@ static void surfmink__back_edge(const surfmink__outline *o, size_t i, double by_
                                 double *by_corner, double *by_normal)
 {
     double x[3], y[3], edge[3], unit[3] = {0, 0, 0}, g[3], q_x[3], q_y[3], length, x_along, y_along;
-    size_t next = surfmink__next(o, i), dim = (size_t)o->dim, k;
+    size_t next = surfmink__next(o, i), dim = o->dim == 2 ? 2 : 3, k;
     surfmink__point(o, i, x);
     surfmink__point(o, next, y);
     surfmink__sub(y, x, dim, edge);
@@ -4852,8 +4855,7 @@ static void surfmink__sum_arcs(const surfmink__arcs *c, size_t start, size_t end
                                surfmink__sum *path, double *part)
 {
     double period = c->total / (double)c->windings, phase, x, w[2], z[2], u[2], v[2];
-    size_t i;
-    int k;
+    size_t i, k;
     for (i = start; i < end; ++i) {
         if (i > 0) surfmink__add(path, c->turn[i]);
         phase = surfmink__phase(surfmink__value(path), period);
@@ -4867,7 +4869,7 @@ static void surfmink__sum_arcs(const surfmink__arcs *c, size_t start, size_t end
         w[1] = c->arc[i] / x * z[1];
         surfmink__times_power(w, z, first - 1);
         surfmink__times_power(v, u, first - 1);
-        for (k = 0; k < ranks; ++k) {
+        for (k = 0; k < (size_t)ranks; ++k) {
             part[2 * k] += w[0] * v[1];
             part[2 * k + 1] += w[1] * v[1];
             surfmink__multiply(w, w + 1, z[0], z[1]);

@@ -43,10 +43,10 @@ static void *reserve(size_t number, size_t size)
    are of every size and some go outwards, however many there are. */
 static void draw_star(chance *c, size_t n, double *xy)
 {
-    double wobble = fmin(0.3, 1.5 / (double)n), start = between(c, 0, 2 * PI);
+    double uneven = fmin(0.3, 1.5 / (double)n), start = between(c, 0, 2 * PI);
     size_t i;
     for (i = 0; i < n; ++i) {
-        double r = between(c, 1 - wobble, 1 + wobble);
+        double r = between(c, 1 - uneven, 1 + uneven);
         double angle = start + 2 * PI * ((double)i + between(c, 0, 0.3)) / (double)n;
         xy[2 * i] = r * cos(angle);
         xy[2 * i + 1] = r * sin(angle);
