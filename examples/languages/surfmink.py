@@ -8,8 +8,8 @@
     surfmink.sphere(octant).mu[3]                      # 1: a triangle
     surfmink.sphere(corner, offset).mu[:, 6]           # of many outlines: mu_6 of each
 
-One file to copy; needs numpy and the library. That is looked for at $SURFMINK_LIBRARY, beside this file, and where
-the system looks for libraries. What L, S, mu, g and theta are, and which outlines are refused, says surfmink.h.
+One file to copy; needs numpy and the library. That is looked for at $SURFMINK_LIBRARY, beside this file, where
+`make shared` puts it, and where the system looks for libraries. What L, S, mu, g and theta are, and which outlines are refused, says surfmink.h.
 
 plane, sphere, embedded and surface measure outlines:
     corner    (N, 2) or (N, 3) numbers: the corners of all outlines, one outline after the other
@@ -79,7 +79,9 @@ def _places():
     here = os.path.dirname(os.path.abspath(__file__))
     files = ["libsurfmink.so." + ABI, "libsurfmink.so", "libsurfmink." + ABI + ".dylib", "libsurfmink.dylib",
              "surfmink.dll"]
-    beside = [os.path.join(here, file) for file in files if os.path.exists(os.path.join(here, file))]
+    folders = [here, os.path.join(here, os.pardir, os.pardir, ".build")] # the second one in a clone, after make shared
+    beside = [os.path.join(folder, file) for folder in folders for file in files]
+    beside = [place for place in beside if os.path.exists(place)]
     found = ctypes.util.find_library("surfmink")
     return beside + files + ([found] if found else [])
 
