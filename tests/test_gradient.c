@@ -43,7 +43,10 @@ static dual number(long double v, long double d)
 
 static dual given(double v, double d)
 {
-    return number((long double)v, (long double)d);
+    dual x;
+    x.v = (long double)v;
+    x.d = (long double)d;
+    return x;
 }
 
 static dual plus(dual a, dual b)
