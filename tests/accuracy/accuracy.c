@@ -29,6 +29,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../instances.h"
+
 typedef __float128 quad;
 
 enum { MAX_RANK = 12, MAX_CORNERS = 100000 };
@@ -582,37 +584,6 @@ static double worse(double a, double b)
     return is_worse(b, a) ? b : a;
 }
 
-/* Ways to measure an outline: a single call, or batches by one of the instances of the kernels. */
-static const struct {
-    const char *name;
-    surfmink__measure_window *window;
-} way_of[] = {
-    {"single", NULL},
-    {"plain", surfmink__window},
-#if SURFMINK__NATIVE == SURFMINK__SSE2
-    {"sse2", surfmink__window_sse2},
-#endif
-#if SURFMINK__NATIVE == SURFMINK__AVX2 || defined(SURFMINK__DISPATCHES)
-    {"avx2", surfmink__window_avx2},
-#endif
-#if SURFMINK__NATIVE == SURFMINK__AVX512 || defined(SURFMINK__DISPATCHES)
-    {"avx512", surfmink__window_avx512},
-#endif
-};
-enum { WAYS = sizeof way_of / sizeof *way_of };
-
-static int can_run(int way)
-{
-#ifdef SURFMINK__DISPATCHES
-    if (way_of[way].window == surfmink__window_avx2)
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (way_of[way].window == surfmink__window_avx512)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-#endif
-    (void)way;
-    return 1;
-}
-
 static int measure_single(const polygon *o, double *mu, double *theta, surfmink_functionals *w)
 {
     double g[2 * MAX_RANK + 2];
@@ -635,8 +606,8 @@ static int measure(int way, const polygon *o, double *mu, double *theta, surfmin
     surfmink_results out = {NULL, NULL, &w->length, &w->turning, &w->area, mu, NULL, theta};
     surfmink__job job =
         surfmink__job_of(kind[o->surface], o->corner, o->normal, o->radius, offset, MAX_RANK, &out, NULL);
-    if (!way_of[way].window) return measure_single(o, mu, theta, w);
-    way_of[way].window(&job, 0, 1, &left);
+    if (!instance_of[way].window) return measure_single(o, mu, theta, w);
+    instance_of[way].window(&job, 0, 1, &left);
     return left ? LEFT : SURFMINK_OK;
 }
 
@@ -672,19 +643,19 @@ static void show_results(const measured *m, const double *mu, const double *thet
 }
 
 /* A verdict on each way to measure a polygon. */
-static void judge(const polygon *o, verdict v[WAYS], int show)
+static void judge(const polygon *o, verdict v[INSTANCES], int show)
 {
     static measured m;
     double mu[MAX_RANK + 1], theta[MAX_RANK + 1];
     surfmink_functionals w;
     int way, referred = 0;
-    for (way = 0; way < WAYS; ++way) {
+    for (way = 0; way < INSTANCES; ++way) {
         memset(v + way, 0, sizeof *v);
         if (!can_run(way)) continue;
         v[way].status = measure(way, o, mu, theta, &w);
         if (v[way].status != SURFMINK_OK) continue;
         if (!referred++) refer(o, &m);
-        if (show) printf("%s\n", way_of[way].name);
+        if (show) printf("%s\n", instance_of[way].name);
         if (show) show_results(&m, mu, theta, &w);
         if (m.spike)
             v[way].status = SPIKE;
@@ -715,9 +686,9 @@ static void keep_worst(worst *w, const verdict *v, int q, const polygon *o, int 
 static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t master)
 {
     static worst all[GENERATORS][QUANTITIES];
-    worst top[WAYS][QUANTITIES];
-    uint64_t measured_by[WAYS] = {0}, refused = 0, spikes = 0, otherwise = 0, k, seed;
-    verdict v[WAYS];
+    worst top[INSTANCES][QUANTITIES];
+    uint64_t measured_by[INSTANCES] = {0}, refused = 0, spikes = 0, otherwise = 0, k, seed;
+    verdict v[INSTANCES];
     int q, i, way, failed = 0;
     memset(all, 0, sizeof all);
     memset(top, 0, sizeof top);
@@ -729,12 +700,12 @@ static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t 
         judge(o, v, 0);
         refused += v[0].status > 0;
         spikes += v[0].status == SPIKE;
-        for (way = 0; way < WAYS; ++way) {
+        for (way = 0; way < INSTANCES; ++way) {
             if (!can_run(way)) continue;
             measured_by[way] += v[way].status == SURFMINK_OK;
             if (v[way].status != LEFT && v[way].status != v[0].status && !otherwise++)
-                printf("%s takes what the single call refuses: --repeat %s/%s %lu  ABOVE ITS LIMIT\n", way_of[way].name,
-                       surface_name[surface], generator[i].name, (unsigned long)seed);
+                printf("%s takes what the single call refuses: --repeat %s/%s %lu  ABOVE ITS LIMIT\n",
+                       instance_of[way].name, surface_name[surface], generator[i].name, (unsigned long)seed);
             for (q = 0; v[way].status == SURFMINK_OK && q < QUANTITIES; ++q) {
                 keep_worst(&all[i][q], v + way, q, o, i, seed);
                 keep_worst(&top[way][q], v + way, q, o, i, seed);
@@ -744,8 +715,8 @@ static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t 
     printf("%s: %lu polygons measured, %lu refused, %lu with a turn of -pi up to rounding left out\n",
            surface_name[surface], (unsigned long)measured_by[0], (unsigned long)refused, (unsigned long)spikes);
     printf("measured by the kernels:");
-    for (way = 1; way < WAYS; ++way)
-        if (can_run(way)) printf(" %s %lu", way_of[way].name, (unsigned long)measured_by[way]);
+    for (way = 1; way < INSTANCES; ++way)
+        if (can_run(way)) printf(" %s %lu", instance_of[way].name, (unsigned long)measured_by[way]);
     printf("; %lu refused by the single call\n", (unsigned long)otherwise);
     for (q = 0; q < QUANTITIES; ++q) printf("%10s", quantity[q].name);
     printf("\n");
@@ -756,12 +727,12 @@ static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t 
     for (q = 0; q < QUANTITIES; ++q) {
         if (surface == EMBEDDED && q == AREA) continue;
         printf("%s (%s), limit %.2g\n", quantity[q].name, quantity[q].meaning, quantity[q].limit);
-        for (way = 0; way < WAYS; ++way) {
+        for (way = 0; way < INSTANCES; ++way) {
             const worst *w = &top[way][q];
             int above = !(w->judged <= quantity[q].limit);
             if (!can_run(way)) continue;
             printf("  %-6s %.2g (as it is %.2g, condition %.2g): --repeat %s/%s %lu, n %lu, size %.2g%s\n",
-                   way_of[way].name, w->judged, w->error, w->condition, surface_name[surface],
+                   instance_of[way].name, w->judged, w->error, w->condition, surface_name[surface],
                    generator[w->generator].name, (unsigned long)w->seed, (unsigned long)w->n, w->size,
                    above ? "  ABOVE ITS LIMIT" : "");
             failed += above;
@@ -774,7 +745,7 @@ static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t 
 static int repeat(polygon *o, const char *name, uint64_t seed)
 {
     char full[100];
-    verdict v[WAYS];
+    verdict v[INSTANCES];
     int surface, i, q, way;
     for (surface = 0; surface < SURFACES; ++surface)
         for (i = 0; i < (int)GENERATORS; ++i) {
@@ -783,11 +754,11 @@ static int repeat(polygon *o, const char *name, uint64_t seed)
             make_polygon(o, (enum surface)surface, i, seed);
             judge(o, v, 1);
             printf("n %lu, size %.3g\n", (unsigned long)o->n, o->size);
-            for (way = 0; way < WAYS; ++way) {
+            for (way = 0; way < INSTANCES; ++way) {
                 if (!can_run(way)) continue;
-                if (v[way].status == LEFT) printf("%s leaves it to the single call\n", way_of[way].name);
+                if (v[way].status == LEFT) printf("%s leaves it to the single call\n", instance_of[way].name);
                 if (v[way].status == LEFT) continue;
-                printf("%s: status %d, condition %.3g\n", way_of[way].name, v[way].status, v[way].condition);
+                printf("%s: status %d, condition %.3g\n", instance_of[way].name, v[way].status, v[way].condition);
                 for (q = 0; q < QUANTITIES; ++q)
                     printf("error of %-6s %.3g, judged %.3g\n", quantity[q].name, v[way].error[q], v[way].judged[q]);
             }

@@ -364,16 +364,23 @@ static void run_single(task *t, size_t first, size_t last)
     }
 }
 
-static void run_batch(task *t, size_t first, size_t last)
+/* Where the results go from outline `first` on. */
+static surfmink_results results_from(const task *t, size_t first)
 {
-    const size_t *offset = t->in.offset + first, count = last - first;
-    double *scratch = t->no_scratch ? NULL : t->scratch;
     surfmink_results out = t->out;
     out.status += first;
     out.length += first;
     out.turning += first;
     out.mu += ranks_of(t) * first;
     out.g += 2 * ranks_of(t) * first;
+    return out;
+}
+
+static void run_batch(task *t, size_t first, size_t last)
+{
+    const size_t *offset = t->in.offset + first, count = last - first;
+    double *scratch = t->no_scratch ? NULL : t->scratch;
+    surfmink_results out = results_from(t, first);
     if (t->in.surface == PLANE)
         surfmink_batch_plane(t->in.corner, offset, count, t->max_rank, &out, scratch);
     else if (t->in.surface == SPHERE)
@@ -418,12 +425,7 @@ static void run_batch_gradient(task *t, size_t first, size_t last)
 {
     const size_t *offset = t->in.offset + first, count = last - first;
     surfmink_weights weights = weights_from(t, first);
-    surfmink_results out = t->out;
-    out.status += first;
-    out.length += first;
-    out.turning += first;
-    out.mu += ranks_of(t) * first;
-    out.g += 2 * ranks_of(t) * first;
+    surfmink_results out = results_from(t, first);
     if (t->in.surface == PLANE)
         surfmink_batch_gradient_plane(t->in.corner, offset, count, t->max_rank, &weights, &out, t->by_corner,
                                       t->scratch);
