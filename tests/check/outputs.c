@@ -450,6 +450,38 @@ static void batch(enum call call)
     }
 }
 
+/* Gradients of a batch, for weights that all outlines share; after batch() of the same surface. */
+static void batch_gradient(enum call call, size_t count)
+{
+    static size_t offset[OUTLINES + 1];
+    static double by_corner[3 * CORNERS * OUTLINES], by_normal[3 * CORNERS * OUTLINES], scratch[6 * CORNERS * OUTLINES];
+    static int status[OUTLINES];
+    double by_mu[STEP_RANK + 1];
+    surfmink_weights weights;
+    surfmink_results out;
+    size_t i, dim = call == PLANE ? 2 : 3;
+    for (i = 0; i <= STEP_RANK; ++i) by_mu[i] = scaled((int64_t)i - 3, -2);
+    for (i = 0; i < count; ++i) offset[i + 1] = offset[i] + shape[i].n;
+    memset(&weights, 0, sizeof weights);
+    memset(&out, 0, sizeof out);
+    weights.mu = by_mu;
+    weights.length = by_mu;
+    weights.shared = 1;
+    out.status = status;
+    if (call == PLANE)
+        surfmink_batch_gradient_plane(all_corners, offset, count, STEP_RANK, &weights, &out, by_corner, scratch);
+    if (call == SPHERE)
+        surfmink_batch_gradient_sphere(all_corners, offset, count, radius, STEP_RANK, &weights, &out, by_corner,
+                                       scratch);
+    if (call == EMBEDDED)
+        surfmink_batch_gradient_embedded(all_corners, all_normals, offset, count, STEP_RANK, &weights, &out, by_corner,
+                                         by_normal, scratch);
+    for (i = 0; i < count; ++i) {
+        put(status[i], by_corner + dim * offset[i], (int)(dim * shape[i].n));
+        if (call == EMBEDDED) put(status[i], by_normal + 3 * offset[i], (int)(3 * shape[i].n));
+    }
+}
+
 static int round_towards(const char *direction)
 {
 #ifdef FE_UPWARD
@@ -494,6 +526,9 @@ static void measure_all(void)
         begin();
         batch((enum call)call);
         end("batch of ", call_name[call]);
+        begin();
+        batch_gradient((enum call)call, OUTLINES / 4);
+        end("batch of gradients, ", call_name[call]);
     }
 }
 
