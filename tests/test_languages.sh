@@ -83,12 +83,15 @@ gfortran -std=f2018 -Wall -Wextra -Werror -J. examples/languages/surfmink.f90 ex
     -o cells > warned 2>&1
 check "gfortran has nothing to say" "$(cat warned)" ""
 unset SURFMINK_LIBRARY
-python3 -c 'import surfmink' 2> err
+check "in a clone, what make shared builds is found" "$(python3 -c 'import surfmink; print(surfmink.STATUS_NAMES[0])')" ok
+mkdir alone
+cp examples/languages/surfmink.py alone
+PYTHONPATH=$work/alone python3 -c 'import surfmink' 2> err
 check "without the library: exit status" "$?" 1
 has "without the library it says what to do" err "\`make shared\` builds it"
-cp .build/libsurfmink.so.* examples/languages/libsurfmink.so 2> /dev/null ||
-    cp .build/libsurfmink.so examples/languages/libsurfmink.so
-check "a library beside surfmink.py is found" "$(python3 -c 'import surfmink; print(surfmink.STATUS_NAMES[0])')" ok
+cp -L .build/libsurfmink.so alone
+check "a library beside surfmink.py is found" \
+    "$(PYTHONPATH=$work/alone python3 -c 'import surfmink; print(surfmink.STATUS_NAMES[0])')" ok
 SURFMINK_LIBRARY=$surfmink python3 -c 'import surfmink' 2> err
 check "not another than SURFMINK_LIBRARY names" "$?" 1
 
