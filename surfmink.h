@@ -1176,10 +1176,12 @@ SURFMINK__INLINE void SURFMINK__(turn)(const surfmink__real a[3], surfmink__real
 }
 
 /* 1 where neither edge of a turn is steep against the tangent plane, zero, or out of range: `size` is what the larger
-   one of sine and cosine comes to if both edges are tangent. NaN is not less. */
-SURFMINK__INLINE surfmink__real SURFMINK__(ordinary)(surfmink__real larger, surfmink__real size)
+   one of sine and cosine comes to if both edges are tangent; gradients divide by the square of `length`. NaN is not
+   less. */
+SURFMINK__INLINE surfmink__real SURFMINK__(ordinary)(surfmink__real larger, surfmink__real size, surfmink__real length)
 {
     surfmink__mask good = SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(0.35), size, SURFMINK__SET(1e-200)), larger);
+    good = good & SURFMINK__LESS(SURFMINK__SET(1e-140), length);
     return SURFMINK__WHERE(good, SURFMINK__SET(1.0));
 }
 
@@ -1211,7 +1213,7 @@ SURFMINK__KERNEL void SURFMINK__(edges_embedded)(SURFMINK__(rows) *r, size_t row
             SURFMINK__STORE(r->cosine + i, cosine);
             larger = SURFMINK__MAX(SURFMINK__ABS(sine), SURFMINK__ABS(cosine));
             most = SURFMINK__MAX(most, larger);
-            good = good + SURFMINK__(ordinary)(larger, nn * before * length);
+            good = good + SURFMINK__(ordinary)(larger, nn * before * length, length);
             a[0] = b[0];
             a[1] = b[1];
             a[2] = b[2];
@@ -1911,21 +1913,6 @@ SURFMINK__KERNEL void SURFMINK__(gather_rows)(const surfmink__job *job, const SU
 #endif
 }
 
-/* Gradients divide by lengths: edges of which the square is no double are not ordinary for them. */
-SURFMINK__KERNEL void SURFMINK__(doubt_short_edges)(const SURFMINK__(rows) *r, size_t rows, SURFMINK__(totals) *t)
-{
-    surfmink__real good;
-    size_t lane, i;
-    for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH) {
-        good = SURFMINK__SET(0.0);
-        for (i = lane; i < rows * SURFMINK__LANES; i += SURFMINK__LANES)
-            good = good + SURFMINK__WHERE(SURFMINK__LESS(SURFMINK__SET(1e-140), SURFMINK__LOAD(r->length + i)),
-                                          SURFMINK__SET(1.0));
-        good = SURFMINK__MIN(good, SURFMINK__LOAD(t->sum[SURFMINK__GOOD] + lane));
-        SURFMINK__STORE(t->sum[SURFMINK__GOOD] + lane, good);
-    }
-}
-
 /* Step 1, and the angles of step 2. */
 SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const SURFMINK__(group) *g, size_t row,
                                                size_t rows, SURFMINK__(rows) *r, SURFMINK__(totals) *t)
@@ -1941,7 +1928,6 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
         SURFMINK__(edges_sphere)(r, rows, first, stride, t);
     else
         SURFMINK__(edges_embedded)(r, rows, t);
-    if (job->back && job->kind == SURFMINK__EMBEDDED) SURFMINK__(doubt_short_edges)(r, rows, t);
     SURFMINK__(angles)(r, rows, t);
 }
 
@@ -4831,11 +4817,14 @@ static int surfmink__bow(surfmink__arcs *c, int order)
     return 1;
 }
 
-/* Is the curve one that can be measured? */
+/* Is the curve one that can be measured? Neighbours too unlike make it endless, or turn its first arc endlessly. */
 static int surfmink__check_arcs(const surfmink__arcs *c)
 {
-    if (!surfmink__finite(&c->whole, 1) || !surfmink__finite(&c->total, 1)) return SURFMINK_NOT_FINITE;
-    return surfmink__check_turning(c->total, c->turned, c->n);
+    double lead = c->lead / c->total;
+    int status;
+    if (!(c->whole < 1e100) || !surfmink__finite(&c->total, 1)) return SURFMINK_NOT_FINITE; /* endless, in units */
+    if ((status = surfmink__check_turning(c->total, c->turned, c->n)) != SURFMINK_OK) return status;
+    return surfmink__finite(&lead, 1) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
 }
 
 /* w becomes w z^p. */
