@@ -4817,14 +4817,11 @@ static int surfmink__bow(surfmink__arcs *c, int order)
     return 1;
 }
 
-/* Is the curve one that can be measured? Neighbours too unlike make it endless, or turn its first arc endlessly. */
+/* Is the curve one that can be measured? Where neighbours are too unlike, it is endlessly longer than the polygon. */
 static int surfmink__check_arcs(const surfmink__arcs *c)
 {
-    double lead = c->lead / c->total;
-    int status;
-    if (!(c->whole < 1e100) || !surfmink__finite(&c->total, 1)) return SURFMINK_NOT_FINITE; /* endless, in units */
-    if ((status = surfmink__check_turning(c->total, c->turned, c->n)) != SURFMINK_OK) return status;
-    return surfmink__finite(&lead, 1) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
+    if (!(c->whole < 1e100) || !surfmink__finite(&c->total, 1)) return SURFMINK_NOT_FINITE;
+    return surfmink__check_turning(c->total, c->turned, c->n);
 }
 
 /* w becomes w z^p. */

@@ -1345,6 +1345,7 @@ THEOREM(a_curve_whose_s_is_not_positive_is_refused)
 THEOREM(edges_that_are_none_are_refused)
 {
     double length[6], turning[6], bend[6] = {0}, twist[6] = {0}, curvature[6] = {0}, mu[3] = {7};
+    const unsigned char ends[6] = {1, 0, 0, 0, 0, 1};
     size_t i;
     for (i = 0; i < 6; ++i) {
         length[i] = 1;
@@ -1376,6 +1377,11 @@ THEOREM(edges_that_are_none_are_refused)
     curvature[5] = 1e308; /* finite, but not what it makes of an edge */
     length[5] = 10;
     REFUSES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
+    length[5] = 1;
+    twist[5] = 0;
+    bend[5] = 1e130; /* a straight arc between two sharp corners, so that nothing but its length tells */
+    CHECK_STATUS(surfmink_curve_edges(length, turning, bend, twist, NULL, ends, 6, 2, scratch, mu, NULL, NULL),
+                 SURFMINK_NOT_FINITE);
     CHECK_EQUAL(mu[0], 7);
 #undef REFUSES
 }

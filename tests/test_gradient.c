@@ -1047,7 +1047,8 @@ THEOREM(an_edge_next_to_nothing_has_a_huge_gradient)
     static pulled got;
     chance c = {22};
     size_t i;
-    double xy[2 * MOST];
+    double xy[2 * MOST], mu[TOP + 1], g[2 * TOP + 2];
+    surfmink_functionals w;
     gentle_star(&c, 6, xy);
     lay(&c, EMBEDDED, xy, 6, &o);
     o.max_rank = 6;
@@ -1056,9 +1057,12 @@ THEOREM(an_edge_next_to_nothing_has_a_huge_gradient)
     for (i = 6; i < 9; ++i) o.corner[i] = 0;
     for (i = 9; i < 12; ++i) o.corner[i] *= 1e-170;
     weigh(&c, &o);
-    CHECK(is_ordinary(&o)); /* to measure */
+    CHECK(!is_ordinary(&o));
     CHECK_OK(gradient(&o, &got));
     check_gradient(&o, &got, 1e-10);
+    CHECK_OK(measure(&o, mu, g, &w)); /* by the same of the two ways */
+    CHECK_SAME(got.mu, mu, 7);
+    CHECK_SAME(got.g, g, 14);
 }
 
 /* --- batches ------------------------------------------------------------------------------------------------------ */
