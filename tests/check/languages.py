@@ -176,6 +176,346 @@ def other_arrays_are_handed_over_as_they_are():
     near(surfmink.plane(fixed, [0, 4]).mu[0, 4], 1)
 
 
+# --- smooth curves ----------------------------------------------------------------------------------------------------
+
+def circle(n, colatitude=None, start=0.0):
+    """n corners on the unit circle; or on a circle of the unit sphere about the third axis."""
+    angle = start + np.arange(n) * 2 * math.pi / n
+    around = np.c_[np.cos(angle), np.sin(angle)]
+    if colatitude is None:
+        return around
+    return np.c_[math.sin(colatitude) * around, np.full(n, math.cos(colatitude))]
+
+
+@theorem
+def the_curve_through_points_of_a_circle_is_the_circle():
+    colatitude = .7
+    for n in (40, 80):
+        flat, cap = circle(n), circle(n, colatitude)
+        for curve, length, turning, area in (
+                (surfmink.curve_plane(flat), 2 * math.pi, 2 * math.pi, math.pi),
+                (surfmink.curve_sphere(cap, radius=3.0), 6 * math.pi * math.sin(colatitude),
+                 2 * math.pi * math.cos(colatitude), 18 * math.pi * (1 - math.cos(colatitude))),
+                (surfmink.curve_embedded(cap, 5 * cap), 2 * math.pi * math.sin(colatitude),
+                 2 * math.pi * math.cos(colatitude), 0)):
+            off = 1.5 * (2 * math.pi / n) ** 4
+            near(curve.L, length, off * length / 100)
+            near([curve.S, curve.w.turning], turning, off / 100)
+            near(curve.area, area, off * max(area, 1) / 10)
+            near(curve.mu, [1, 0, 0, 0, 0, 0, 0], 1e-13)
+            assert curve.error.shape == (7,) and abs(curve.L / length - 1) < 2 * curve.error[0] < 40 * off
+
+
+@theorem
+def order_2_is_the_polygon_and_order_4_nearer_to_the_curve_by_what_error_says():
+    def flower(n):
+        angle = .3 + np.arange(n) * 2 * math.pi / n
+        return circle(n, start=.3) * (1 + .15 * np.cos(2 * angle) + .05 * np.sin(3 * angle))[:, None]
+    fine = surfmink.curve_plane(flower(4000))
+    curve, polygon = surfmink.curve_plane(flower(120)), surfmink.curve_plane(flower(120), order=2)
+    near(polygon.mu, surfmink.plane(flower(120)).mu, 0)
+    near(polygon.theta, surfmink.plane(flower(120)).theta, 0)
+    for p in (2, 3, 5):
+        assert 0 < abs(curve.mu[p] - fine.mu[p]) < abs(polygon.mu[p] - fine.mu[p]) / 100
+        for measured in (curve, polygon):
+            near(abs(measured.mu[p] - fine.mu[p]) / measured.error[p], 1, .25)
+    tilted = np.c_[flower(120), np.zeros(120)] @ [[.6, .8, 0], [0, 0, -1], [.8, -.6, 0]]
+    flat = surfmink.curve_embedded(tilted, np.tile([-.8, .6, 0], (120, 1)), max_rank=9)
+    near(flat.mu[:7], curve.mu)
+    near(flat.error[:7], curve.error)
+    assert flat.mu.shape == flat.error.shape == flat.g.shape == (10,)
+
+
+@theorem
+def corners_of_a_curve_stay_sharp_where_they_are_said_to_be():
+    half = circle(80)[:41]
+    sharp = np.arange(41) % 40 == 0
+    for flags in (sharp, sharp.astype(np.uint8), sharp.tolist()):
+        near(surfmink.curve_plane(half, sharp=flags).L, math.pi + 2, 3e-7)
+    assert abs(surfmink.curve_plane(half).L - math.pi - 2) > 1e-4
+    near(surfmink.curve_plane(square, sharp=[True] * 4).mu, surfmink.plane(square).mu)
+    near(surfmink.curve_sphere(octant, sharp=[1, 1, 1]).L, 3 * math.pi / 2)
+    near(surfmink.curve_sphere(circle(80, 1.2)[:41], sharp=sharp).L, math.pi * math.sin(1.2) + 2.4, 1e-6)
+    flat, up = np.c_[half, np.ones(41)], np.tile([0., 0, 1], (41, 1))
+    near(surfmink.curve_embedded(flat, up, sharp=sharp).L, math.pi + 2, 3e-7)
+    assert np.shares_memory(surfmink._sharp(sharp, 41), sharp)
+    raises(TypeError, "sharp|int64|astype(bool)", surfmink.curve_plane, half, sharp=sharp.astype(int))
+    raises(ValueError, "sharp|(2,)|(41,)", surfmink.curve_plane, half, sharp=[0, 40])
+    raises(ValueError, "sharp|ascontiguousarray", surfmink.curve_plane, half, sharp=sharp[::-1])
+
+
+@theorem
+def many_curves_are_each_of_them():
+    one, wrong = circle(30) * (1, 2), circle(30)[::-1]
+    corner, offset = surfmink.pack([one, wrong, circle(12)[[0, 1, 1, 2, 3]], circle(12)])
+    sharp = np.zeros(len(corner), bool)
+    sharp[7] = True
+    many = surfmink.curve_plane(corner, offset, max_rank=3, sharp=sharp)
+    assert list(many.names) == ["ok", "clockwise", "coincident_corners", "ok"] and list(many.bad[1:3]) == [30, 2]
+    for i, single in ((0, surfmink.curve_plane(one, max_rank=3, sharp=sharp[:30])),
+                      (3, surfmink.curve_plane(circle(12), max_rank=3))):
+        for name in ("mu", "error", "g", "theta", "L", "S", "area"):
+            near(getattr(many, name)[i], getattr(single, name), 0)
+    assert many.error.shape == (4, 4) and np.isnan(many.error[1:3]).all() and np.isnan(many.mu[1:3]).all()
+    raises(surfmink.Refused, "outline 1: clockwise", many.check)
+    ball = circle(12, .5)
+    near(surfmink.curve_sphere(ball, [0, 12], 2.0).L[0], surfmink.curve_sphere(ball, radius=2.0).L, 0)
+    near(surfmink.curve_embedded(ball, ball, [0, 12]).L[0], surfmink.curve_embedded(ball, ball).L, 0)
+
+
+@theorem
+def a_curve_that_is_wrong_raises_its_name_and_corner():
+    error = raises(surfmink.Refused, "coincident_corners|(corner 2)", surfmink.curve_plane, circle(9)[[0, 1, 1, 2, 5]])
+    assert (error.corner, error.outline) == (2, None)
+    raises(surfmink.Refused, "bad_argument", surfmink.curve_plane, circle(9), order=3)
+    raises(surfmink.Refused, "bad_argument", surfmink.curve_plane, circle(9), order=2 ** 32 + 4)
+    raises(surfmink.Refused, "bad_argument", surfmink.curve_sphere, circle(9, .5), radius=0.0)
+    raises(surfmink.Refused, "too_few_corners", surfmink.curve_embedded, octant[:2], octant[:2])
+    raises(TypeError, "float32", surfmink.curve_plane, circle(9).astype(np.float32))
+    raises(ValueError, "3 corners, but 2 normals", surfmink.curve_embedded, octant, octant[:2])
+
+
+# --- gradients --------------------------------------------------------------------------------------------------------
+
+surfaces = {"plane": (surfmink.plane, surfmink.gradient_plane, {}),
+            "sphere": (surfmink.sphere, surfmink.gradient_sphere, {"radius": 2.0}),
+            "embedded": (surfmink.embedded, surfmink.gradient_embedded, {})}
+
+
+def outline_on(kind, seed, corners=7):
+    """The arrays of an outline without any symmetry; its normals are not its corners."""
+    corner = blobs(1, 2 if kind == "plane" else 3, seed, corners)[0]
+    return [corner, blobs(1, 3, seed + 1, corners)[0] / 5] if kind == "embedded" else [corner]
+
+
+def some_weights(seed, max_rank, count=()):
+    random = np.random.default_rng(seed)
+    shape = count + (max_rank + 1,)
+    return {"mu": random.normal(size=shape), "theta": random.normal(size=shape), "length": random.normal(size=count),
+            "g": random.normal(size=shape) + 1j * random.normal(size=shape)}
+
+
+def energy(measured, weights):
+    """Linear in what is measured; of each outline."""
+    return ((measured.mu @ weights["mu"] if "mu" in weights else 0) +
+            (measured.theta @ weights["theta"] if "theta" in weights else 0) +
+            (measured.L * weights["length"] if "length" in weights else 0) +
+            ((measured.g @ np.conj(weights["g"])).real if "g" in weights else 0))
+
+
+def differences(measure, arrays, which, weights, named, h=1e-4):
+    """Central differences of fourth order: the energy by each number of one of the arrays, all moved in one batch."""
+    shape, n = arrays[which].shape, len(arrays[0])
+    moves = h * np.eye(arrays[which].size).reshape(-1, *shape)
+    moves = np.concatenate([moves, -moves, 2 * moves, -2 * moves])
+    stacks = [np.concatenate(array + moves * (which == k)) for k, array in enumerate(arrays)]
+    moved = measure(*stacks, np.arange(len(moves) + 1) * n, max_rank=5, **named).check()
+    up, down, far_up, far_down = energy(moved, weights).reshape(4, *shape)
+    return (8 * (up - down) - (far_up - far_down)) / (12 * h)
+
+
+@theorem
+def a_gradient_is_what_central_differences_say():
+    for seed, (kind, (measure, gradient, named)) in enumerate(surfaces.items()):
+        arrays, everything = outline_on(kind, seed), some_weights(seed, 5)
+        everything["mu"][1] = everything["theta"][1] = 0  # mu_1 is near 0, and differences near noise
+        for weights in [everything] + [{name: everything[name]} for name in everything]:
+            got = gradient(*arrays, max_rank=5, **named, **weights)
+            assert (got.by_normal is None) == (kind != "embedded")
+            for which, by in enumerate([got.by_corner, got.by_normal][:len(arrays)]):
+                assert by.shape == arrays[which].shape
+                near(by, differences(measure, arrays, which, weights, named), 1e-9)
+                if weights is everything:
+                    assert np.max(np.abs(by)) > .1
+
+
+@theorem
+def a_gradient_measures_to_the_bit_what_measuring_says():
+    for kind, (measure, gradient, named) in surfaces.items():
+        arrays = outline_on(kind, 7)
+        for offset in (None, [0, 4, 7]):
+            got = gradient(*arrays, offset, max_rank=9, mu=np.ones(10), **named)
+            want = measure(*arrays, offset, max_rank=9, **named)
+            for name in ("mu", "g", "theta", "L", "S", "area"):
+                near(getattr(got, name), getattr(want, name), 0)
+
+
+@theorem
+def moving_turning_and_scaling_cost_what_they_must():
+    for kind, (measure, gradient, named) in surfaces.items():
+        arrays, weights = outline_on(kind, 17), some_weights(4, 6)
+        got = gradient(*arrays, **named, **weights)
+        pairs = list(zip(arrays, [got.by_corner, got.by_normal]))
+        within = 1e-13 * sum(np.sum(np.abs(x)) * np.max(np.abs(by)) for x, by in pairs)
+        if kind == "sphere":
+            near(np.sum(arrays[0] * got.by_corner, axis=1), 0, within)
+        else:
+            near(got.by_corner.sum(axis=0), 0, within)
+            near(np.sum(arrays[0] * got.by_corner), got.L * weights["length"] + (got.g @ np.conj(weights["g"])).real,
+                 within)
+        for a, b in ((0, 1), (1, 2), (2, 0))[:1 if kind == "plane" else 3]:
+            near(sum(np.sum(x[:, a] * by[:, b] - x[:, b] * by[:, a]) for x, by in pairs), 0, within)
+        if kind == "embedded":
+            near(np.sum(arrays[1] * got.by_normal, axis=1), 0, within)
+
+
+@theorem
+def gradients_of_many_are_those_of_each_with_weights_for_all_or_of_each():
+    for kind, (measure, gradient, named) in surfaces.items():
+        arrays = [np.concatenate(parts) for parts in zip(*(outline_on(kind, seed, 3 + seed) for seed in range(9)))]
+        offset = np.cumsum([0] + [3 + seed for seed in range(9)])
+        for count in ((), (9,)):
+            weights = some_weights(5, 6, count)
+            many = gradient(*arrays, offset, **named, **weights).check()
+            assert many.by_corner.shape == arrays[0].shape and many.mu.shape == (9, 7)
+            for i in range(9):
+                rows = slice(offset[i], offset[i + 1])
+                one = gradient(*(array[rows] for array in arrays), **named,
+                               **{name: w[i] if count else w for name, w in weights.items()})
+                scale = np.max(np.abs(one.by_corner))
+                near(many.by_corner[rows], one.by_corner, 1e-11 * scale)
+                near(many.mu[i], one.mu, 1e-13)
+                if kind == "embedded":
+                    near(many.by_normal[rows], one.by_normal, 1e-11 * scale)
+
+
+@theorem
+def no_gradient_of_what_is_refused_and_no_harm_to_others():
+    corner, offset = surfmink.pack([square, square[::-1], square[[0, 1, 1, 2]], square * (2, 1)])
+    many = surfmink.gradient_plane(corner, offset, length=1)
+    assert list(many.names) == ["ok", "clockwise", "coincident_corners", "ok"] and list(many.bad[1:3]) == [4, 2]
+    assert list(np.isnan(many.by_corner).all(axis=1)) == 4 * [False] + 8 * [True] + 4 * [False]
+    near(many.by_corner[[0, 1, 2, 3]], [[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    near(many.by_corner[12:], many.by_corner[:4])
+    error = raises(surfmink.Refused, "coincident_corners|(corner 2)", surfmink.gradient_plane, corner[8:12], length=1)
+    assert (error.corner, error.outline) == (2, None)
+    raises(surfmink.Refused, "bad_argument", surfmink.gradient_sphere, octant, radius=-1.0)
+    raises(surfmink.Refused, "zero_normal|(corner 1)", surfmink.gradient_embedded, octant, octant * [[1], [0], [1]])
+    raises(surfmink.Refused, "outline 0: zero_normal|(corner 1)",
+           surfmink.gradient_embedded(octant, octant * [[1], [0], [1]], [0, 3]).check)
+    near(surfmink.gradient_plane(square).by_corner, 0, 0)
+    assert surfmink.gradient_plane(np.empty((0, 2)), [0], mu=np.ones(7)).by_corner.shape == (0, 2)
+
+
+@theorem
+def weights_are_handed_over_as_they_are_or_refused_with_the_cure():
+    weights = some_weights(6, 6, (2,))
+    given = [weights[name] for name in ("mu", "g", "theta", "length")]
+    struct = surfmink._weights(given, 6, 2)
+    assert all(k is w for k, w in zip(struct.kept, given)) and struct.shared == 0
+    assert [struct.mu, struct.g, struct.theta, struct.length] == [w.ctypes.data for w in given]
+    assert surfmink._weights((given[0][1], None, None, 2), 6, 2).shared == 1
+    near(surfmink.gradient_plane(square * (2, 1), mu=[0, 0, 0, 0, 0, 0, 1]).by_corner,
+         surfmink.gradient_plane(square * (2, 1), mu=np.eye(7)[6]).by_corner, 0)
+    def call(**named):
+        return surfmink.gradient_plane, square, [0, 4], 6, *[named.get(k) for k in ("mu", "g", "theta", "length")]
+    raises(TypeError, "mu|float32|astype(float)", *call(mu=np.ones(7, np.float32)))
+    raises(TypeError, "g|float64|complex128|astype(complex)", *call(g=np.ones(7)))
+    raises(TypeError, "length|int64|astype(float)", *call(length=np.array([1])))
+    raises(ValueError, "theta|ascontiguousarray", *call(theta=np.ones(14)[::2]))
+    raises(ValueError, "theta|(6,)|(7,) or (1, 7)", *call(theta=np.ones(6)))
+    raises(ValueError, "g|(2, 7)", *call(g=np.ones((2, 7), complex)))
+    raises(ValueError, "length|(2,)", *call(length=[1, 2]))
+    raises(ValueError, "mu: one for all|length: one of each|numpy.full", *call(mu=np.ones(7), length=[1]))
+    raises(ValueError, "mu|(1, 7), not (7,)", surfmink.gradient_plane, square, mu=np.ones((1, 7)))
+    raises(ValueError, "corner|ascontiguousarray", surfmink.gradient_plane, square[::-1])
+    raises(TypeError, "corner|float32", surfmink.gradient_sphere, octant.astype(np.float32))
+    raises(ValueError, "3 corners, but 2 normals", surfmink.gradient_embedded, octant, octant[:2])
+
+
+@theorem
+def gradients_are_written_where_they_are_returned():
+    written = []
+    real = surfmink._library
+    class Listening:
+        def __getattr__(self, name):
+            def call(*arguments):
+                if "gradient" in name:
+                    written.extend(arguments)
+                return getattr(real, name)(*arguments)
+            return call
+    surfmink._library = Listening()
+    try:
+        for offset in (None, [0, 3]):
+            written.clear()
+            corner, normal = octant.copy(), 2 * octant
+            got = surfmink.gradient_embedded(corner, normal, offset, mu=np.ones(7))
+            for array in (corner, normal, got.by_corner, got.by_normal):
+                assert array.ctypes.data in written and array.flags.owndata
+    finally:
+        surfmink._library = real
+
+
+# --- directions at the centre -----------------------------------------------------------------------------------------
+
+@theorem
+def a_regular_polygon_points_at_its_sides():
+    for n in (3, 4, 5, 6):
+        for start in (.0, .4):
+            flat = surfmink.director_plane(circle(n, start=start) + (3, 4), max_rank=12)
+            cap, ball = circle(n, .5, start), 2.5 * circle(n, .5, start)
+            round_ = surfmink.director_sphere(cap, radius=2.5, max_rank=12)
+            chords = surfmink.director_embedded(ball, cap, max_rank=12)
+            near(flat.centre, [3, 4])
+            near(round_.centre, [0, 0, 2.5])
+            near(chords.centre, [0, 0, 2.5 * math.cos(.5)])
+            assert flat.mean_normal is None
+            for got in (flat, round_, chords):
+                for p in (n, 2 * n):
+                    near((got.direction[p, :2] @ [1, 1j]) ** p, np.exp(1j * p * (start + math.pi / n)), 1e-13)
+                    near(got.coherence[p], 1)
+                    near(got.mu[p], 1)
+                near(got.direction[0], 0, 0)
+            for got in (round_, chords):
+                near(got.mean_normal, [0, 0, 1])
+                near(got.direction[:, 2], 0)
+
+
+@theorem
+def directions_turn_with_the_outline_and_are_those_of_the_eigenvectors_in_the_plane():
+    corner = blobs(1, 2, 31, 8)[0]
+    one = surfmink.director_plane(corner, max_rank=5)
+    near(one.mu, surfmink.plane(corner, max_rank=5).mu, 0)
+    edge = corner[1] - corner[0]
+    co_normal = math.atan2(-edge[0], edge[1])
+    for p in range(1, 6):
+        near(one.coherence[p], 1)
+        if p > 1:
+            near((one.direction[p] @ [1, 1j]) ** p, np.exp(1j * p * (co_normal + one.theta[p])), 1e-12)
+    turned = surfmink.director_plane(corner @ [[0, 1], [-1, 0]], max_rank=5)
+    for p in range(2, 6):
+        near((turned.direction[p] @ [1, 1j]) ** p, (one.direction[p] @ [1, 1j] * 1j) ** p, 1e-12)
+    for kind, director, named in (("sphere", surfmink.director_sphere, {"radius": 2.0}),
+                                  ("embedded", surfmink.director_embedded, {})):
+        got = director(*outline_on(kind, 33), **named)
+        near(got.direction[1:] @ got.mean_normal, 0)
+        near(np.linalg.norm(got.direction[1:], axis=1), 1)
+        assert got.direction.shape == (7, 3) and np.all(got.coherence <= 1 + 1e-14) and got.coherence[6] < 1 - 1e-6
+
+
+@theorem
+def directors_of_many_are_those_of_each():
+    cap = circle(6, .5)
+    corner = np.concatenate([cap, cap[::-1], cap[[0, 1, 1]]])
+    many = surfmink.director_sphere(corner, [0, 6, 12, 15], 2.0, max_rank=3)
+    one = surfmink.director_sphere(cap, radius=2.0, max_rank=3)
+    assert list(many.names) == ["ok", "clockwise", "coincident_corners"] and list(many.bad[1:]) == [6, 2]
+    for name in ("centre", "mean_normal", "direction", "coherence", "mu", "theta", "L"):
+        near(getattr(many, name)[0], getattr(one, name), 0)
+        assert np.isnan(getattr(many, name)[1:]).all()
+    assert many.direction.shape == (3, 4, 3) and many.centre.shape == (3, 3) and many.coherence.shape == (3, 4)
+    flat = surfmink.director_plane(*surfmink.pack([square, square[::-1]]))
+    assert list(flat.names) == ["ok", "clockwise"] and flat.mean_normal is None and flat.direction.shape == (2, 7, 2)
+    near(flat.centre[0], .5)
+    assert np.isnan(flat.centre[1]).all()
+    error = raises(surfmink.Refused, "antipodal_corners|(corner 1)", surfmink.director_sphere,
+                   np.array([[0., 0, 1], [0, 0, -1], [1, 0, 0]]))
+    assert error.outline is None
+    raises(surfmink.Refused, "upright_edge", surfmink.director_embedded, octant, octant - octant[[1, 2, 0]])
+    raises(TypeError, "float32", surfmink.director_plane, square.astype(np.float32))
+    raises(ValueError, "ascontiguousarray", surfmink.director_plane, square[::-1])
+
+
 # --- surfaces of one's own --------------------------------------------------------------------------------------------
 
 def sphere_log(x, y):
