@@ -494,6 +494,26 @@ def directions_turn_with_the_outline_and_are_those_of_the_eigenvectors_in_the_pl
 
 
 @theorem
+def centres_and_mean_normals_are_means_by_length():
+    def mean(length, points):
+        return length @ ((points + np.roll(points, -1, axis=0)) / 2) / length.sum()
+    def lengths(corner):
+        return np.linalg.norm(np.roll(corner, -1, axis=0) - corner, axis=1)
+    corner = np.array([[0., 0], [3, 0], [3, 1], [1, 2]])
+    near(surfmink.director_plane(corner).centre, mean(lengths(corner), corner))
+    corner, normal = outline_on("embedded", 41)
+    chords = surfmink.director_embedded(corner, normal)
+    near(chords.centre, mean(lengths(corner), corner))
+    unit = corner / np.linalg.norm(corner, axis=1, keepdims=True)
+    arc = 2 * np.arcsin(lengths(unit) / 2)
+    middle = unit + np.roll(unit, -1, axis=0)
+    want = arc @ (middle / np.linalg.norm(middle, axis=1, keepdims=True))
+    got = surfmink.director_sphere(corner, radius=3.0)
+    near(got.mean_normal, want / np.linalg.norm(want))
+    near(got.centre, 3 * got.mean_normal)
+
+
+@theorem
 def directors_of_many_are_those_of_each():
     cap = circle(6, .5)
     corner = np.concatenate([cap, cap[::-1], cap[[0, 1, 1]]])
@@ -512,8 +532,51 @@ def directors_of_many_are_those_of_each():
                    np.array([[0., 0, 1], [0, 0, -1], [1, 0, 0]]))
     assert error.outline is None
     raises(surfmink.Refused, "upright_edge", surfmink.director_embedded, octant, octant - octant[[1, 2, 0]])
+    flat, normal = np.c_[[0., 1, 2, 2, 0], [0., 0, 0, 2, 2], np.zeros(5)], np.tile([0., 0, 1], (5, 1))
+    normal[1] *= -1  # where the outline does not turn: it has its mu, but no direction at the centre
+    near(surfmink.embedded(flat, normal).mu[4], 1)
+    raises(surfmink.Refused, "zero_normal", surfmink.director_embedded, flat, normal)
+    many = surfmink.director_embedded(flat, normal, [0, 5])
+    assert list(many.names) == ["zero_normal"] and many.bad[0] == 5 and np.isnan(many.mu).all()
     raises(TypeError, "float32", surfmink.director_plane, square.astype(np.float32))
     raises(ValueError, "ascontiguousarray", surfmink.director_plane, square[::-1])
+
+
+# --- memory -----------------------------------------------------------------------------------------------------------
+
+@theorem
+def nothing_is_written_beyond_the_memory_that_is_handed_over():
+    guards = []
+    class Guarded:
+        """numpy, but arrays for C end in memory that must stay as it is."""
+        def __getattr__(self, name):
+            return getattr(np, name)
+        def full(self, shape, value, dtype=float):
+            size = int(np.prod(shape))
+            whole = np.full(size + 4000, 7.25, np.result_type(dtype, type(value)))
+            whole[:size] = value
+            guards.append(whole[size:])
+            return whole[:size].reshape(shape)
+        def empty(self, shape):
+            return self.full(shape, 0.0)
+    surfmink.np = Guarded()
+    try:
+        for n in (3, 8, 200):
+            for size in (1, 1e-200):  # the second one is measured with twice the digits
+                flat, cap = circle(n) * size, circle(n, .5)
+                ball = cap * size
+                for offset in (None, [0, n]):
+                    surfmink.sphere(cap, offset)
+                    weights = some_weights(1, 9)
+                    for arrays, kind in (([flat], "plane"), ([cap], "sphere"), ([ball, cap], "embedded")):
+                        for does, named in (("curve", {}), ("gradient", weights), ("director", {})):
+                            measured = getattr(surfmink, does + "_" + kind)(*arrays, offset, max_rank=9, **named)
+                            assert np.all(measured.status == 0)
+    finally:
+        surfmink.np = np
+    assert len(guards) > 500
+    for guard in guards:
+        near(guard, 7.25, 0)
 
 
 # --- surfaces of one's own --------------------------------------------------------------------------------------------
