@@ -249,14 +249,14 @@ typedef struct surfmink_results {
 
 /* Measures many outlines in one call: surfmink_measure_* for each, but several at once in vector instructions.
    corner, normal, radius, max_rank  as surfmink_measure_*; the corners of all outlines, one outline after the other
-   offset    count+1  outline i has the corners offset[i] .. offset[i+1] - 1
+   offset    count+1  outline i has the corners offset[i] .. offset[i+1] - 1; none is looked at from offset[count] on
    count              number of outlines
    out                of a refused outline only status and bad are written
    scratch            2 doubles for each corner before offset[count], to work in; or NULL: then edges of outlines with
                       more than 64 corners are measured twice (in the plane they are anyway). No bit depends on it
    returns            how many outlines were refused: 0 if all is well
    Errors: each outline has its own, as in surfmink_measure_*; all have BAD_ARGUMENT if max_rank or radius is bad, and
-   so has one whose offsets fall.
+   so has one whose offsets fall, or that ends after offset[count].
    An outline's results do not depend on the others nor on the number of threads. They differ from those of
    surfmink_measure_* by rounding. Cost: O(corners P), 50 KiB of stack, no libm; in docs/performance.md in figures. */
 SURFMINK_DEF size_t surfmink_batch_plane(const double *corner, const size_t *offset, size_t count, int max_rank,
@@ -2567,7 +2567,7 @@ SURFMINK__KERNEL void SURFMINK__(outlines)(const surfmink__job *job, size_t firs
     for (i = 0; i < count; ++i) {
         n = offset[i + 1] - offset[i];
         left[i] = 0;
-        if (offset[i + 1] < offset[i] || n < 3)
+        if (offset[i + 1] < offset[i] || offset[i + 1] > job->end || n < 3)
             left[i] = 1;
         else
             ++place[n <= SURFMINK__ROWS ? n : SURFMINK__ROWS + 1];
@@ -4179,7 +4179,7 @@ static int surfmink__quickly(const surfmink__outline *o, int max_rank, double *m
     if (!surfmink__finite(edge, dim) || !(surfmink__max_abs(edge, dim) > 0)) return 0;
     job.scale = o->kind == SURFMINK__SPHERE ? o->scale : surfmink__binade(surfmink__max_abs(edge, dim));
     if (o->kind != SURFMINK__SPHERE) job.unit = 1 / job.scale;
-    offset[1] = o->n;
+    offset[1] = job.end = o->n;
     out.mu = mu;
     out.g = g;
     out.theta = theta;
@@ -4566,10 +4566,10 @@ static int surfmink__left_over(const surfmink__job *job, size_t i)
     surfmink_weights weights;
     surfmink_functionals w;
     size_t bad = end >= at ? end - at : 0, rank;
-    int status = SURFMINK_BAD_ARGUMENT;
-    if (end >= at && surfmink__known_job(job) && end - at < 3) /* there may be no corner at all, nor a place for them */
+    int status = SURFMINK_BAD_ARGUMENT, known = surfmink__known_job(job) && end >= at && end <= job->end;
+    if (known && end - at < 3) /* there may be no corner at all, nor a place for them */
         status = SURFMINK_TOO_FEW_CORNERS;
-    else if (end >= at && surfmink__known_job(job)) {
+    else if (known) {
         if (job->kind == SURFMINK__PLANE)
             o = surfmink__outline_of(SURFMINK__PLANE, job->corner + 2 * at, NULL, end - at);
         else if (job->kind == SURFMINK__SPHERE)
@@ -4602,6 +4602,15 @@ static size_t surfmink__window_size(const surfmink__job *job, size_t count)
     return size > 8 ? size - size % 8 : size > 0 ? size : 1;
 }
 
+#ifdef _OPENMP
+/* Where offsets fall, outlines may share corners, and so what is written for each: that is no work for threads. */
+static int surfmink__rises(const size_t *offset, size_t count)
+{
+    while (count > 0 && offset[count - 1] <= offset[count]) --count;
+    return count == 0;
+}
+#endif
+
 static size_t surfmink__batch(surfmink__job *job, size_t count, surfmink__measure_window *measure)
 {
     const int known = surfmink__known_job(job);
@@ -4611,7 +4620,7 @@ static size_t surfmink__batch(surfmink__job *job, size_t count, surfmink__measur
     ptrdiff_t k;
     job->end = job->offset[count];
 #ifdef _OPENMP
-#pragma omp parallel for schedule(guided) reduction(+ : refused)
+#pragma omp parallel for schedule(guided) reduction(+ : refused) if (surfmink__rises(job->offset, count))
 #endif
     for (k = 0; k < windows; ++k) {
         unsigned char left[SURFMINK__WINDOW];

@@ -68,7 +68,7 @@ static double unlike(const outline *o)
         least = fmin(least, m.length[i]);
         most = fmax(most, m.length[i]);
     }
-    return most / least;
+    return least > 0 ? most / least : HUGE_VAL;
 }
 
 /* Another corner first: the same mu, L and S. */
