@@ -1269,6 +1269,34 @@ static void check_set(enum surface surface, const char *reference, const char *p
     bundle_close(&b);
 }
 
+THEOREM(outlines_that_end_after_the_last_offset_are_a_bad_argument)
+{
+    static const size_t length[3] = {5, 70, 600};
+    size_t offset[4] = {0, 0, 3, 0}, k;
+    int surface;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (k = 0; k < 3; ++k) {
+            bundle b, falling;
+            answers a;
+            bundle_open(&b, (enum surface)surface, 1, length[k]);
+            add_flower(&b, length[k]);
+            falling = b;
+            falling.offset = offset;
+            falling.count = 3;
+            offset[1] = length[k];
+            offset[3] = length[k] - 1;
+            measure(&falling, &a, WITH_SCRATCH);
+            CASE("%s, %d corners", surface_name[surface], (int)length[k]);
+            CHECK_STATUS(a.out.status[0], SURFMINK_BAD_ARGUMENT);
+            CHECK_STATUS(a.out.status[1], SURFMINK_BAD_ARGUMENT);
+            check_untouched(&a, 0);
+            check_untouched(&a, 1);
+            CHECK(a.out.status[2] != SURFMINK_BAD_ARGUMENT);
+            answers_close(&a);
+            bundle_close(&b);
+        }
+}
+
 THEOREM(the_reference_sets_come_out_of_batches)
 {
     check_set(SPHERE, "tests/data/sphere_geodesic_ref.tsv", "tests/data/sphere_geodesic_points.tsv", 12);
@@ -1695,6 +1723,7 @@ static void prove_all(void)
     PROVE(no_outlines_are_none_refused_and_nothing_written);
     PROVE(corners_before_the_first_offset_are_not_looked_at);
     PROVE(offsets_that_fall_are_a_bad_argument);
+    PROVE(outlines_that_end_after_the_last_offset_are_a_bad_argument);
     PROVE(the_reference_sets_come_out_of_batches);
     PROVE(contours_of_a_random_field_come_out_of_a_batch);
     PROVE(powers_of_two_scale_exactly);

@@ -1266,7 +1266,7 @@ THEOREM(a_batch_with_a_bad_argument_writes_nothing)
     static bundle b;
     static answers a;
     chance c = {21};
-    size_t backwards[3] = {9, 5, 5};
+    const size_t backwards[3] = {9, 5, 5}, beyond[3] = {0, 70, 3};
     fill_bundle(&c, SPHERE, 6, &b);
     b.radius = -1;
     run(0, &b, b.offset, b.count, &b.weights, 1, &a);
@@ -1277,6 +1277,10 @@ THEOREM(a_batch_with_a_bad_argument_writes_nothing)
     run(0, &b, backwards, 2, &b.weights, 1, &a);
     CHECK_STATUS(a.status[0], SURFMINK_BAD_ARGUMENT);
     CHECK_STATUS(a.status[1], SURFMINK_TOO_FEW_CORNERS);
+    run(0, &b, beyond, 2, &b.weights, 1, &a); /* scratch and gradients may end with corner 2 */
+    CHECK_STATUS(a.status[0], SURFMINK_BAD_ARGUMENT);
+    CHECK_STATUS(a.status[1], SURFMINK_BAD_ARGUMENT);
+    untouched(a.by_corner, 3 * ROOM);
     b.max_rank = -2;
     run(0, &b, b.offset, b.count, &b.weights, 1, &a);
     CHECK_EQUAL(a.refused, b.count);
