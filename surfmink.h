@@ -4,8 +4,10 @@
 
    WHAT IT DOES
      Says how p-fold symmetric an outline on a curved surface is, and in which directions. Corners in, mu_p out:
-     mu_p = 1 for a polygon of p equal angles (in the plane, on a sphere, anywhere), 0 for a circle, between for the
+     mu_p = 1 for a polygon of p equal angles (in the plane, on a sphere, anywhere), 0 for a circle, in between for the
      rest. mu_2 is elongation, mu_3 is how triangular, ..., mu_6 how hexagonal.
+     One closed outline without holes, which encloses a curvature below 2 pi (on a sphere: less than half of it). Those
+     that cross themselves are refused in the plane and on the sphere, but for a few; elsewhere nothing can tell.
 
    QUICK START
      #define SURFMINK_IMPLEMENTATION                              // in exactly one .c or .cpp file
@@ -33,18 +35,20 @@
      length l_i     of edge i, which joins corner i to corner i+1 (indices modulo n); your unit
      turning        alpha_i, the signed turn AT corner i, positive towards the inside; radians in [-pi, pi]
      S              sum of alpha_i = 2 pi - enclosed Gaussian curvature; 2 pi in the plane
-     phase f_i      of edge i: f_0 = 0, f_i = (2 pi / S)(alpha_1 + ... + alpha_i); n further corners add 2 pi
+     phase f_i      of edge i: f_0 = 0, f_i = (2 pi / S)(alpha_1 + ... + alpha_i); once round adds 2 pi
      rank p         0 .. P = max_rank, any P; p = 0 gives L; mu_1 = 0 in the plane but not on curved surfaces
      g_p            sum of l_i exp(i p f_i), stored as g[2p] (real part) and g[2p+1] (imaginary part)
      lambda_p, mu_p |g_p| and |g_p| / L in [0, 1]
      theta          eigenvector angle, from the outer co-normal nu of an edge towards its tangent tau, where
                     (nu, tau, normal) is right-handed: nu = tau x normal. g is read at the MIDDLE of edge 0.
-     Arrays hold one corner after the other: x y (plane) or x y z. Lengths come out in the unit of the corners.
+     Arrays hold one corner after the other: x y (plane) or x y z. Lengths come out in the unit of the corners. In the
+     descriptions below, the second column is the number of elements of an array.
 
    PAPER
      L. Happel, H. Hardering, S. Praetorius, A. Voigt: Surface Minkowski tensors to characterize shapes on curved
-     surfaces. "Paper 2.3" in this file is a section of it. Section 3 turns by alpha_i between edges i-1 and i; that
-     is what is done here. (Section 4 prints the sum one corner late, which is wrong where edges differ in length.)
+     surfaces, arXiv:2506.13880, 2025. "Paper 2.3" in this file is a section of it, (2.5) an equation. Section 3 turns
+     by alpha_i between edges i-1 and i; that is what is done here. (Section 4.1 prints the sum one corner late, which
+     is wrong where edges differ in length; 4.2 is right.)
 
    ERRORS
      A call that can fail returns SURFMINK_OK = 0 or a value of enum surfmink_status, named after what is wrong with
@@ -52,28 +56,28 @@
      NULL is allowed only where a docstring says so. Outputs do not overlap inputs unless a docstring says so.
      No errno, no assert, no printing. All calls are re-entrant and thread-safe.
 
-   CONFIGURE (all optional; define before the include that has SURFMINK_IMPLEMENTATION)
-     SURFMINK_STATIC     private copy in this file; may be used in several files at once
+   CONFIGURE (all optional; define before the include that brings the implementation)
+     SURFMINK_STATIC     a private copy, implementation included, in this file; may be used in several files at once
      SURFMINK_DEF        prefix of every public function, e.g. __declspec(dllexport)
      SURFMINK_SIN, SURFMINK_COS, SURFMINK_ATAN2, SURFMINK_SQRT
                          replacements for libm; with all four defined <math.h> is not included. Batches in vector
                          instructions need no libm and do not use them
      SURFMINK_DISPATCH   batches ask the processor for AVX-512 or AVX2 with FMA (gcc and clang on x86-64). Otherwise
-                         they use what the compiler may: SSE2, AVX2 with -mavx2 -mfma, AVX-512 with -march=..., NEON on
-                         arm64
+                         they use what the compiler is allowed to: SSE2, AVX2 with -mavx2 -mfma, AVX-512 with
+                         -march=..., NEON on arm64
      SURFMINK_NO_SIMD    batches in plain C: other compilers and freestanding builds have no other. About a third as
                          fast
      SURFMINK_FILE       "surfmink.h": the name under which the implementation includes itself, once for each set of
                          vector instructions. Only if you rename the file; with SURFMINK_NO_SIMD it does not
      -fopenmp            batches use all cores
-     Including the file again, with or without SURFMINK_IMPLEMENTATION, does nothing twice.
+     Including the file again, with or without SURFMINK_IMPLEMENTATION, is harmless.
 
    ACCURACY
      With the condition number c = max(1, sum |alpha_i| / S), near 1 for most outlines and more where one turns to and
      fro, winds, or encloses a curvature near 2 pi, every outline that is not refused has
        L       to 1e-15, relative
        S       to 2e-15 c, relative
-       mu_p    to 1e-14 (1 + c), p <= 12; so has the angle p theta_p of g_p, times mu_p
+       mu_p    to 1e-14 (1 + c), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
        area    to 2e-15 of half the sum of |x_i - x_0| l_i; slivers are small beside that
      at any size of the outline, 3 to 1e5 corners (1e7 lose nothing, but there is no proof in higher precision). make
      accuracy holds all ways to measure against quadruple precision: cells of size 1e-12, corners off the sphere, edges
@@ -83,7 +87,7 @@
      Angles come from differences of corners and atan2, never arccos; long sums are compensated. Single calls and
      batches share their formulas. Outlines that are ordinary go through them as they are; others (extreme units,
      spikes, steep or very long edges, wide windings, S below 0.5, all that is refused) are measured corner by corner
-     with twice the digits, ten times as slowly.
+     with twice the digits, and take more than ten times as long.
 
    DETERMINISM
      The same program on the same machine gives the same bits, whatever the thread or the locale, and in a batch
@@ -97,17 +101,17 @@
          own, so that one program may differ between machines. With functions of yours as SURFMINK_SIN, SURFMINK_COS and
          SURFMINK_ATAN2 it does not
        batches use the same instructions: SSE2, or none; AVX2, AVX-512 and NEON agree to the bit.
-     Otherwise bits differ and statuses stay. Batches differ from single calls, and sets of vector instructions from
-     each other, by no more than ACCURACY grants the two: with SURFMINK_DISPATCH results depend that much on the
-     processor. Fused a*b+c, another libm, x87 with -std=c99, and rounding up, down or towards zero stay within that,
-     too; but batches in vector instructions need rounding to nearest, or lose half of their digits. -ffast-math, and
-     x87 without -std=c99, take the digits beyond a double away: with c' = (sum |alpha_i| + |2 pi - S|) / S that leaves
-     1e-14 (1 + c')^2. And -ffast-math lets NaN and infinity pass unrefused.
+     Otherwise the last bits may differ; statuses do not. Batches differ from single calls, and sets of vector
+     instructions from each other, by no more than ACCURACY grants the two: with SURFMINK_DISPATCH results depend that
+     much on the processor. Fused a*b+c, another libm, x87 with -std=c99, and rounding up, down or towards zero stay
+     within that, too; but batches in vector instructions need rounding to nearest, or lose half of their digits.
+     -ffast-math, and x87 without -std=c99, take away the digits beyond a double: with c' = (sum |alpha_i| + |2 pi - S|)
+     / S that leaves 1e-14 (1 + c')^2. And -ffast-math lets NaN and infinity pass unrefused.
 
    HISTORY
      0.3.0  smooth curves to fourth order, error estimates; gradients; directions at the centre
      0.2.1  every outline to 1e-14 (1 + c), great circles and spirals included; the same bits from more compilers
-     0.2.0  batches; single calls two to eight times as fast; S on the sphere to all digits
+     0.2.0  batches; faster single calls; S on the sphere to all digits
      0.1.0  the four steps, the four kinds of surfaces, transports, tensors, helpers */
 #ifndef SURFMINK_H
 #define SURFMINK_H
@@ -199,7 +203,7 @@ enum surfmink_transport {
    Errors: TOO_FEW_CORNERS, NOT_FINITE, COINCIDENT_CORNERS, CLOCKWISE, CROSSES_ITSELF (S is not 2 pi), BAD_ARGUMENT.
    An exact spike (the outline runs back on itself) has a turn of pi without a sign: it counts as +pi, a whisker that
    sticks out. One that sticks in is refused as CROSSES_ITSELF.
-   Cost: O(n P) time, 10 KiB of stack. Paper 3.3, eq. (integrated-components-polygon), with the turn of section 3. */
+   Cost: O(n P) time, 10 KiB of stack. Paper (3.2), with the turn of section 3. */
 SURFMINK_DEF int surfmink_measure_plane(const double *corner, size_t n, int max_rank, double *mu, double *g,
                                         surfmink_functionals *w, size_t *bad);
 
@@ -307,7 +311,7 @@ SURFMINK_DEF int surfmink_area_sphere(const double *corner, size_t n, double rad
    transport          of enum surfmink_transport
    phase       n      out: radians, not reduced; phase[0] = 0; may be the same array as turning
    Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT, and unless PARALLEL: CLOCKWISE, TOO_MUCH_CURVATURE.
-   Cost: O(n); the sums are compensated. Paper 2.3, eq. (f); 3.3 for polygons. */
+   Cost: O(n); the sums are compensated. Paper (2.5); 3.3 for polygons. */
 SURFMINK_DEF int surfmink_phases(const double *turning, size_t n, int transport, double *phase);
 
 /* Carries a direction along the outline: an angle against the co-normal of edge `from`, past `steps` corners (backwards
@@ -336,14 +340,14 @@ SURFMINK_DEF int surfmink_transport_vector(const double *corner, const double *n
    max_rank           P >= 0; errors grow slowly with it (1e-14 at 128)
    g         2 P + 2  out: g[2p], g[2p+1]; g[0] = L, g[1] = 0
    Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT. Cost: O(n P), one sine and cosine an edge and 24 ranks, 10 KiB of
-   stack. Paper 3.3, eq. (integrated-components-polygon). */
+   stack. Paper (3.2). */
 SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase, size_t n, int max_rank, double *g);
 
 /* The same with the classical parallel transport to a point of the outline: at `fraction` of edge `edge`. The result
    depends on that point, wherever curvature is enclosed; that is why it is here only for comparison.
    turning     n      radians, of any sum
    edge, fraction     edge < n, 0 <= fraction < 1; the edge is split there in two
-   Errors and cost as surfmink_irreducible. Paper 2.3 and 5.1, figure (minkowski-eigenvectors). */
+   Errors and cost as surfmink_irreducible. Paper 2.3 and 5.1. */
 SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const double *turning, size_t n, size_t edge,
                                                double fraction, int max_rank, double *g);
 
@@ -379,7 +383,7 @@ SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vec
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta);
 
 /* The p eigenvector angles of one rank p >= 1: (arg g_p + 2 pi n) / p for sign >= 0, (arg g_p + (2 n + 1) pi) / p for
-   sign < 0, n = 0 .. p-1. Errors: NOT_FINITE, BAD_ARGUMENT. Cost: O(p). Paper 2.4, eq. (minkowski-eigenvectors). */
+   sign < 0, n = 0 .. p-1. Errors: NOT_FINITE, BAD_ARGUMENT. Cost: O(p). Paper (2.10). */
 SURFMINK_DEF int surfmink_angles(const double *g, int p, int sign, double *theta);
 
 /* Outer co-normal nu and tangent tau of an edge of a plane polygon, unit vectors: frame[0..1] = nu, frame[2..3] = tau.

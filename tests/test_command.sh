@@ -236,6 +236,18 @@ stopped "two surfaces" "-:1: columns lon lat and x y: choose with --surface"
 printf 'cell x y x\n' > in
 run
 stopped "a column twice" "-:1: two columns are named 'x'"
+printf 'cell x y X\n' > in
+run
+stopped "a column twice, once in capitals" "-:1: two columns are named 'x'"
+square > in
+run
+cp out lower
+{ echo 'cell X Y' && square | tail -n +2; } > in
+run
+check "names of coordinates in capitals" "$(cat out)" "$(cat lower)"
+printf 'K X Y\na 0 0\na 1 0\na 0 1\nb 0 0\nb 1 0\nb 0 1\n' > in
+run
+measured "but K is an id, and k the order of corners" id "a b"
 printf 'cell x\n' > in
 run
 stopped "half a point" "-:1: no column 'y'"

@@ -48,6 +48,16 @@ typedef struct table {
 
 /* --- the line that names the columns ------------------------------------------------------------------------------ */
 
+/* Is it the name of column k? Coordinates may be in capitals, as ImageJ and others write them: X Y, Lon Lat. */
+static int is_named(const char *name, int k)
+{
+    const char *known = column_name[k];
+    if (k == COLUMN_K) return strcmp(name, known) == 0;
+    for (; *known; ++known, ++name)
+        if (*name != *known && *name != *known - 'a' + 'A') return 0;
+    return *name == '\0';
+}
+
 static void find_columns(table *t)
 {
     size_t i;
@@ -57,8 +67,8 @@ static void find_columns(table *t)
     t->names = t->in->fields;
     for (i = 0; i < t->names; ++i) {
         const char *name = t->in->field[i];
-        for (k = 0; k < COLUMNS && strcmp(name, column_name[k]) != 0; ++k) continue;
-        if (k < COLUMNS && t->place[k] != nowhere) malformed(t->in, "two columns are named '%s'", name);
+        for (k = 0; k < COLUMNS && !is_named(name, k); ++k) continue;
+        if (k < COLUMNS && t->place[k] != nowhere) malformed(t->in, "two columns are named '%s'", column_name[k]);
         if (k < COLUMNS)
             t->place[k] = i;
         else if (t->id == nowhere && *name) /* a column without a name, as some programs write, is no id */
