@@ -66,7 +66,7 @@ def mutations_of(found, k):
     if token == '+' and not binary: return []
     if re.match(r'\d|\.\d', token):
         if re.fullmatch(r'\d+', token): return [str(int(token) + 1)] + ([str(int(token) - 1)] if int(token) else [])
-        return ['(2 * %s)' % token, '(-%s)' % token]
+        return ['(2 * %s)' % token, '(-%s)' % token] if float(token) else ['1.0']
     if before == '[' and after == ']' and re.fullmatch('[a-z_]+', token): return [token + ' + 1']
     if token in NAMES: return [NAMES[token]]
     return SWAPS.get(token, [])
@@ -177,7 +177,8 @@ class Header:
 
     def describe(self, m):
         row, offset = self.lines[m.line], m.at - self.starts[m.line]
-        changed = row[:offset] + m.new + row[offset + len(m.old):]
+        new = '/* not: %s */' % m.old if m.new == ';' else m.new
+        changed = row[:offset] + new + row[offset + len(m.old):]
         name, first, last = self.functions[m.line]
         return re.sub(r'\s+', ' ', ('%s: %s' % (name, changed) if first < last else changed)).strip()
 
