@@ -1063,6 +1063,7 @@ THEOREM(edges_and_bends_are_all_that_the_surface_contributes)
         some_outline(&c, PLANE, n, &o);
         m = measure(&o, NULL, 4);
         CHECK_OK(surfmink_edges_plane(o.corner, n, length, turning, NULL));
+        harness_spoil_stack();
         CHECK_OK(surfmink_curve_edges(length, turning, NULL, NULL, NULL, NULL, n, P, scratch, NULL, g, NULL));
         for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(g[p], m.g[p], 1e-13);
         CHECK_OK(surfmink_curve_edges(length, turning, NULL, NULL, NULL, NULL, n, 0, scratch, mu, NULL, &w));
