@@ -1553,14 +1553,25 @@ SURFMINK__INLINE void SURFMINK__(horner_step)(surfmink__real *re, surfmink__real
     *re = t;
 }
 
+/* Two steps of a polynomial and of its derivative, with the coefficients at `by`. */
+SURFMINK__INLINE void SURFMINK__(horner_steps)(surfmink__real a[2], surfmink__real d[2], surfmink__real x,
+                                               surfmink__real y, const double *by)
+{
+    SURFMINK__(horner_step)(d, d + 1, x, y, a[0], a[1]);
+    SURFMINK__(horner_step)
+    (a, a + 1, x, y, SURFMINK__LOAD(by + 2 * SURFMINK__LANES), SURFMINK__LOAD(by + 3 * SURFMINK__LANES));
+    SURFMINK__(horner_step)(d, d + 1, x, y, a[0], a[1]);
+    SURFMINK__(horner_step)(a, a + 1, x, y, SURFMINK__LOAD(by), SURFMINK__LOAD(by + SURFMINK__LANES));
+}
+
 /* With the polynomial c(z) = sum conj(dE/dg_p) z^p of `ranks` ranks from `first` on, dE/dl_i is Re c(z_i), and
-   dE/df_i / l_i is Re i z_i c'(z_i): by Horner's rule with derivative, two ranks a turn. Added to what is there unless
+   dE/df_i / l_i is Re i z_i c'(z_i): by Horner's rule with derivative, four ranks a turn. Added to what is there unless
    `first` is 1. */
 SURFMINK__INLINE void SURFMINK__(horner)(const SURFMINK__(rows) *r, size_t rows, int first, int ranks,
                                          SURFMINK__(tape) *k)
 {
-    surfmink__real x, y, re, im, a_re, a_im, d_re, d_im, factor = SURFMINK__SET((double)(first - 1));
-    const double *by, *last = k->by_g + 2 * (size_t)(ranks - 1) * SURFMINK__LANES, *odd = ranks % 2 ? last : NULL;
+    surfmink__real x, y, re, im, a[2], d[2], factor = SURFMINK__SET((double)(first - 1));
+    const double *by, *last = k->by_g + 2 * (size_t)(ranks - 1) * SURFMINK__LANES;
     size_t lane, i;
     int left;
     for (lane = 0; lane < SURFMINK__LANES; lane += SURFMINK__WIDTH)
@@ -1568,37 +1579,34 @@ SURFMINK__INLINE void SURFMINK__(horner)(const SURFMINK__(rows) *r, size_t rows,
             x = SURFMINK__LOAD(r->column[2] + i);
             y = SURFMINK__LOAD(r->column[3] + i);
             by = last + lane;
-            a_re = SURFMINK__LOAD(by);
-            a_im = SURFMINK__LOAD(by + SURFMINK__LANES);
-            d_re = d_im = SURFMINK__SET(0.0);
-            if (!odd) {
-                d_re = a_re;
-                d_im = a_im;
+            a[0] = SURFMINK__LOAD(by);
+            a[1] = SURFMINK__LOAD(by + SURFMINK__LANES);
+            d[0] = d[1] = SURFMINK__SET(0.0);
+            left = ranks - 1;
+            if (left % 2) {
+                d[0] = a[0];
+                d[1] = a[1];
                 by -= 2 * SURFMINK__LANES;
-                SURFMINK__(horner_step)(&a_re, &a_im, x, y, SURFMINK__LOAD(by), SURFMINK__LOAD(by + SURFMINK__LANES));
+                SURFMINK__(horner_step)(a, a + 1, x, y, SURFMINK__LOAD(by), SURFMINK__LOAD(by + SURFMINK__LANES));
             }
-            for (; by != k->by_g + lane;) {
-                by -= 4 * SURFMINK__LANES;
-                SURFMINK__(horner_step)(&d_re, &d_im, x, y, a_re, a_im);
-                SURFMINK__(horner_step)
-                (&a_re, &a_im, x, y, SURFMINK__LOAD(by + 2 * SURFMINK__LANES),
-                 SURFMINK__LOAD(by + 3 * SURFMINK__LANES));
-                SURFMINK__(horner_step)(&d_re, &d_im, x, y, a_re, a_im);
-                SURFMINK__(horner_step)(&a_re, &a_im, x, y, SURFMINK__LOAD(by), SURFMINK__LOAD(by + SURFMINK__LANES));
+            if (left % 4 > 1) SURFMINK__(horner_steps)(a, d, x, y, by -= 4 * SURFMINK__LANES);
+            for (left /= 4; left > 0; --left, by -= 8 * SURFMINK__LANES) {
+                SURFMINK__(horner_steps)(a, d, x, y, by - 4 * SURFMINK__LANES);
+                SURFMINK__(horner_steps)(a, d, x, y, by - 8 * SURFMINK__LANES);
             }
-            SURFMINK__(horner_step)(&d_re, &d_im, x, y, a_re, a_im);
+            SURFMINK__(horner_step)(d, d + 1, x, y, a[0], a[1]);
             re = x;
             im = y;
             if (first > 1) {
-                d_re = SURFMINK__FMA(factor, a_re, d_re);
-                d_im = SURFMINK__FMA(factor, a_im, d_im);
+                d[0] = SURFMINK__FMA(factor, a[0], d[0]);
+                d[1] = SURFMINK__FMA(factor, a[1], d[1]);
                 for (left = first - 1; left > 0; left /= 2) { /* z^first */
                     if (left % 2) SURFMINK__(multiply)(&re, &im, x, y);
                     SURFMINK__(multiply)(&x, &y, x, y);
                 }
             }
-            x = SURFMINK__FNMA(a_im, im, a_re * re);
-            y = SURFMINK__FMA(d_im, re, d_re * im);
+            x = SURFMINK__FNMA(a[1], im, a[0] * re);
+            y = SURFMINK__FMA(d[1], re, d[0] * im);
             if (first > 1) {
                 x = x + SURFMINK__LOAD(k->by_length + i);
                 y = y - SURFMINK__LOAD(k->by_phase + i);
@@ -2464,8 +2472,11 @@ SURFMINK__KERNEL void SURFMINK__(pull_long)(const surfmink__job *job, const SURF
         rows = g->rows - row < SURFMINK__ROWS ? g->rows - row : SURFMINK__ROWS;
         SURFMINK__(pull_strips)(job, g, row, rows, first, ranks, r, k);
         if (last) {
-            SURFMINK__(stash)(job, g, row, rows, 0, r->length, r->turned, 1, k);
-            SURFMINK__(keep_rows)(job, r, rows, k);
+            if (job->kind == SURFMINK__PLANE) {
+                SURFMINK__(stash)(job, g, row, rows, 0, r->length, r->turned, 1, k);
+                SURFMINK__(keep_rows)(job, r, rows, k);
+            } else
+                SURFMINK__(stash)(job, g, row, rows, 0, k->length, k->turned, 1, k);
             SURFMINK__(pull_sums)(job, k->length, rows, t->behind, k);
         }
         if (!last || job->kind != SURFMINK__PLANE) {
