@@ -163,12 +163,11 @@ static void name_faint_bars(FILE *file, double left, double bottom, const size_t
     double width = (double)CHART_WIDTH / BINS, x;
     char text[32];
     int i;
-    fputs("<g font-size=\"16\">\n", file);
     for (i = 0; i < BINS; ++i) {
         if (!is_faint(count, i, most)) continue;
         snprintf(text, sizeof text, "%lu", (unsigned long)count[i]);
         x = left + (i + 0.5) * width;
-        fputs("<path d=\"M", file);
+        fputs("<g font-size=\"16\"><path d=\"M", file);
         put_pixels(file, x);
         fputc(' ', file);
         put_pixels(file, bottom - 3);
@@ -177,8 +176,8 @@ static void name_faint_bars(FILE *file, double left, double bottom, const size_t
             put_upright(file, x + 6, bottom - 15, AT_START, text);
         else
             put_label(file, i > 0 ? x : left + 3, bottom - 15, i > 0 ? AT_MIDDLE : AT_START, text);
+        fputs("</g>\n", file);
     }
-    fputs("</g>\n", file);
 }
 
 /* The median as a dashed line, its value on the side where there is room. */

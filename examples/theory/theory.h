@@ -33,7 +33,7 @@ static inline void theory_need(int status)
     exit(1);
 }
 
-/* mu_1 ... mu_ranks as bars in a box, with the scale at its left. Of several boxes in a row the first names both axes. */
+/* mu_1 ... mu_ranks as bars in a box, with the scale at its left. Of boxes in a row the first names both axes. */
 static inline void theory_bars(plot *p, const double *mu, int ranks, double left, double top, double width,
                                double height, int first)
 {
