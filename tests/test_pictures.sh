@@ -258,6 +258,10 @@ check "narrow: each part in a row of its own" "$(
         awk -v page="$(sed -n '1s/.* height="\([0-9]*\)".*/\1/p' a.svg)" \
             '$3 > page - 200 { ++n; if ((n > 1 && $3 != last + 34) || $2 > 75 || $3 > page - 20) ++bad; last = $3 }
              END { print n, bad + 0 }')" "5 0"
+check "narrow: the first of them lies below the outlines" "$(
+    { sed -n 's/<path d="M\([^"]*\)Z".*<title>a:.*/\1/p' a.svg | tr 'L' '\n'
+      sed -n 's/.*<text x="\([0-9.]*\)" y="\([0-9.]*\)">[0-9.]*<.*/\1 \2 first/p' a.svg | tail -n 1; } |
+        awk '!$3 && $2 > lowest { lowest = $2 } $3 { print ($2 - lowest > 30 && $2 - lowest < 60) }')" 1
 check "narrow: the page has room for the widest" "$(sed -n '1s/.* width="\([0-9]*\)".*/\1/p' a.svg |
     awk '{ print ($1 >= 40 + 22 * 10.8 && $1 < 300) }')" 1
 check "without a unit: whose units they are" "$(grep -c '(units of the corners)' a.svg)" 1
