@@ -20,7 +20,7 @@
    compile   cc examples/relax.c -o relax -lm
    run       ./tissue --cells 60 --relax 1 > wild.tsv
              ./relax --log energy.tsv < wild.tsv > calm.tsv
-             ./surfmink --svg calm.svg calm.tsv */
+             ./surfmink --color-by 6 --unit um --svg calm.svg calm.tsv */
 
 #define SURFMINK_IMPLEMENTATION
 #include "../surfmink.h"

@@ -73,6 +73,10 @@ for program in "$build"/theory_*; do
     grep -F "pictures/$name.svg" docs/theory.md > /dev/null
     count $? "docs/theory.md shows $name.svg" "nowhere" "somewhere"
 done
+"$build/tissue" --cells 60 --relax 1 > "$work/wild.tsv"
+"$build/surfmink" --color-by 6 --unit µm --svg "$work/relax_before.svg" "$work/wild.tsv" > "$work/said"
+alike "docs/pictures/relax_before.svg is up to date (docs/beyond.md)" "$work/relax_before.svg" \
+    docs/pictures/relax_before.svg
 sh examples/demo.sh "$build/surfmink" "$work/demo" > "$work/said" 2> "$work/err"
 for name in countries h3_mu tissue tissue_ranks tissue_mu tissue_scatter; do
     alike "docs/pictures/$name.svg is up to date (make demo)" "$work/demo/$name.svg" docs/pictures/$name.svg

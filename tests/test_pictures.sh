@@ -177,10 +177,14 @@ left_end() {
 run --svg a.svg --view 10,0 --view back
 check "seen from behind, east is right, too" "$(echo "$(left_end c120) $(left_end c180) $(left_end c240)" |
     awk '{ print ($1 < $2 && $2 < $3) }')" 1
-has "views are named" a.svg '<tspan>10,0</tspan>'
+has "views are named" a.svg '<tspan>from above 10° E, 0° N</tspan>'
+has "and what is behind one" a.svg '<tspan>from the other side</tspan>'
 check "a sphere without a radius: the grid is the scale" "$(grep -c '>grid: 30' a.svg)" 1
+check "which needs no unit" "$(grep -c 'units of' a.svg)" 0
+run --svg a.svg --view 10,0 --radius 6371
+has "with one: a length" a.svg '>2000 (units of the radius)</text>'
 run --svg a.svg --view 10,0 --radius 6371 --unit km
-has "with one: a length" a.svg '>2000 km</text>'
+has "with a unit, too" a.svg '>2000 km</text>'
 near_lists "2000 of 6371, where the radius has 720 / 2.01 pixels" \
     "$(sed -n 's/.*stroke-width="4" d="M[0-9. ]*h\([0-9.]*\)".*/\1/p' a.svg)" 112.448 0.01
 run --svg a.svg --view back
@@ -194,6 +198,73 @@ check "front is the default" "$(cmp a.svg b.svg)" ""
 run --svg a.svg --view front --color-by 2,4 --view back --title T
 check "two ranks from two sides" "$(seen | wc -w | tr -d ' ')" 12
 check "each outline of a side twice" "$(seen | tr ' ' '\n' | sort | uniq -c | awk 'NF == 2 { print $1 }' | sort -u)" 2
+
+# view_name VIEW: of the first of two panels.
+view_name() {
+    run --svg a.svg --view "$1" --view front --color-by 2
+    sed -n 's/.*<tspan>\(from [^<]*\)<.*/\1/p' a.svg | head -n 1
+}
+check "west and south" "$(view_name -85,-15.5)" "from above 85° W, 15.5° S"
+check "more than half way round is the other way" "$(view_name 200,1)" "from above 160° W, 1° N"
+check "a direction" "$(view_name 1,-2,0.5)" "from x, y, z = 1, -2, 0.5"
+check "the front" "$(view_name front)" "from the front"
+check "what is behind the front" "$(view_name back)" "from behind"
+run --svg a.svg --view 1,2
+check "one view needs no name" "$(grep -c 'from above' a.svg)" 0
+
+# --- the key of the strokes -------------------------------------------------------------------------------------------
+
+# key FILE: how many strokes each sample of it has.
+key() {
+    sed -n '/<g id="strokes"/,/<\/g>/s/.*stroke-width="2.2" d="\([^"]*\)".*/\1/p' "$1" | tr -cd 'M\n' |
+        awk '{ print length($0) }' | tr '\n' ' '
+}
+# told FILE: what it says, without markup.
+told() {
+    sed 's/<[^>]*>//g' "$1" | awk '/direction|across/ { printf "%s", $0 }'
+}
+run shapes.tsv --svg a.svg --unit um
+check "two strokes and their key" "$(grep -c stroke-linecap a.svg) $(key a.svg)" "2 2 "
+check "what they are" "$(told a.svg)" "direction of μ2: across the long sides"
+has "in the description, too" a.svg "Strokes: eigenvectors"
+check "in one row with the scale" "$(sed -n 's/.* y="\([0-9.]*\)".*>\(2 um\|direction\).*/\1/p' a.svg | uniq | wc -l |
+    tr -d ' ')" 1
+# The sample is a rectangle that lies, crossed by an upright stroke.
+check "the stroke of the sample lies across its long sides" "$(
+    sed -n '/<g id="strokes"/,/<\/g>/p' a.svg | tr 'MLZ"' '\n\n\n\n' |
+        awk '/^[0-9.]+ [0-9.]+$/ { x[++n] = $1; y[n] = $2 }
+        END { print (x[1] - x[2] > 2 * (y[2] - y[3])), (x[6] == x[5]), (y[6] - y[5] > 5), n }')" "1 1 1 8"
+head -n 5 shapes.tsv > in
+run --svg a.svg --color-by mu_3
+check "no strokes, no key" "$(grep -c stroke-linecap a.svg) $(key a.svg)$(told a.svg)$(grep -c Strokes: a.svg)" "0 0"
+run --svg a.svg --color-by mu_2,mu_3,mu_4
+check "ranks without strokes are not in the key" "$(key a.svg)" "2 4 "
+check "several ranks" "$(told a.svg)" "directions of μp: across the long sides"
+run --svg a.svg --color-by mu_3,mu_4
+check "one of two ranks" "$(key a.svg)$(told a.svg)" "4 directions of μ4: across the long sides"
+run "$data/tissue.tsv" --svg a.svg --color-by mu_6,mu_5 --view front --view back
+check "two views of two ranks" "$(key a.svg)" "6 5 "
+printf 'c x y\na 0 0\na 3 0\na 3 1\na 0 1\nb 4000 0\nb 4003 0\nb 4003 1\nb 4000 1\n' > in
+run --svg a.svg
+check "strokes too short to be drawn" "$(grep -c stroke-linecap a.svg) $(key a.svg)" "0 "
+printf 'c x y\na 0 0\na 0 1\na 1 1\n' > in
+run --svg a.svg --quiet
+check "nothing but what is refused" "$(key a.svg)$(grep -c '>refused<' a.svg)" 1
+# A page that is too narrow for one row: the parts stand below each other, and none leaves the page.
+printf 'c x y\na 0 0\na 1 0\na 1 20\na 0 20\nb 0 1\nb 0 2\nb 1 2\n' > in
+run --svg a.svg --quiet
+check "narrow: each part in a row of its own" "$(
+    sed -n 's/^\(<g fill="#222">\)*<text x="\([0-9.]*\)" y="\([0-9.]*\)">\([0-9(rda]\).*/\4 \2 \3/p' a.svg |
+        awk -v page="$(sed -n '1s/.* height="\([0-9]*\)".*/\1/p' a.svg)" \
+            '$3 > page - 200 { ++n; if ((n > 1 && $3 != last + 34) || $2 > 75 || $3 > page - 20) ++bad; last = $3 }
+             END { print n, bad + 0 }')" "5 0"
+check "narrow: the first of them lies below the outlines" "$(
+    { sed -n 's/<path d="M\([^"]*\)Z".*<title>a:.*/\1/p' a.svg | tr 'L' '\n'
+      sed -n 's/.*<text x="\([0-9.]*\)" y="\([0-9.]*\)">[0-9.]*<.*/\1 \2 first/p' a.svg | tail -n 1; } |
+        awk '!$3 && $2 > lowest { lowest = $2 } $3 { print ($2 - lowest > 30 && $2 - lowest < 60) }')" 1
+check "narrow: the page has room for the widest" "$(sed -n '1s/.* width="\([0-9]*\)".*/\1/p' a.svg |
+    awk '{ print ($1 >= 40 + 22 * 10.8 && $1 < 300) }')" 1
+check "without a unit: whose units they are" "$(grep -c '(units of the corners)' a.svg)" 1
 
 # --- histograms -------------------------------------------------------------------------------------------------------
 
@@ -219,6 +290,28 @@ check "bars are as high as their counts, mu_3 for example" "$(
         sed -n 's/.* height="\([0-9.]*\)"><title>.*: \([0-9]*\)<.*/\1 \2/p' |
         awk '{ d = $1 - 210 / 80 * $2; if (d * d > 1e-4) ++bad } END { print NR, bad + 0 }')" "$(
     column mu_3 | awk '{ n[int(20 * $1)] } END { for (k in n) ++bins; print bins, 0 }')"
+# marks FILE: where they are, and of which count.
+marks() {
+    sed -n 's/.* d="M\([0-9.]*\) [0-9.]*l-4 -8h8Z.*>\([0-9]*\)<\/text>.*/\1 \2/p' "$1"
+}
+check "bars too low to be seen are marked with their count, and no others" "$(marks a.svg | awk '{ print $2 }')" "$(
+    awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ {
+        h = $0; sub(/.* height="/, "", h); sub(/".*/, "", h)
+        sub(/.*: /, ""); sub(/<.*/, ""); if (h + 0 < 2) print }' a.svg)"
+awk 'BEGIN { print "c x y"
+    for (i = 0; i < 400; ++i) printf "b%d 0 0\nb%d 1 0\nb%d 1 1\nb%d 0 1\n", i, i, i, i
+    print "t 0 0\nt 2 0\nt 1 1.7320508075688772" }' > in
+run --histogram a.svg --color-by 3
+check "one triangle among 400 squares is found" "$(marks a.svg)" "439.75 1"
+run --histogram a.svg --color-by 3,4
+check "in both panels" "$(marks a.svg | wc -l | tr -d ' ')" 2
+# Twelve triangles of two kinds, in bins that touch: counts of two digits read upwards, not into each other.
+awk 'BEGIN { print "c x y"
+    for (i = 0; i < 4000; ++i) printf "b%d 0 0\nb%d 1 0\nb%d 1 1\nb%d 0 1\n", i, i, i, i
+    for (i = 0; i < 24; ++i) printf "t%d 0 0\nt%d 2 0\nt%d 1 %s\n", i, i, i, i < 12 ? "1.7320508" : "1.25" }' > in
+run --histogram a.svg --color-by 3
+check "counts side by side read upwards" "$(marks a.svg | awk '{ print $2 }' | tr '\n' ' ')$(
+    grep -A 1 'l-4 -8h8Z' a.svg | grep -c 'rotate(-90)')" "12 12 2"
 run four.tsv --histogram a.svg --color-by 3,2 --quiet
 check "the ranks that were asked for; what is refused is not counted" "$(counts a.svg)" "3 3 "
 has "but told" a.svg "1 outlines were refused"

@@ -89,14 +89,14 @@ static void draw_count_axis(FILE *file, double left, double bottom, double heigh
 }
 
 /* Reads upwards. */
-static void put_upright(FILE *file, double x, double y, const char *text)
+static void put_upright(FILE *file, double x, double y, enum anchor anchor, const char *text)
 {
     fputs("<g transform=\"translate(", file);
     put_pixels(file, x);
     fputc(' ', file);
     put_pixels(file, y);
     fputs(") rotate(-90)\">", file);
-    put_label(file, 0, 0, AT_MIDDLE, text);
+    put_label(file, 0, 0, anchor, text);
     fputs("</g>\n", file);
 }
 
@@ -151,6 +151,35 @@ static void draw_bars(FILE *file, double left, double bottom, const size_t count
     fputs("</g>\n", file);
 }
 
+/* A bar too low to be seen. */
+static int is_faint(const size_t count[BINS], int bin, double most)
+{
+    return bin >= 0 && bin < BINS && count[bin] > 0 && CHART_HEIGHT * (double)count[bin] / most < 2;
+}
+
+/* A mark above each of them, with its count; upwards where counts have no room beside each other. */
+static void name_faint_bars(FILE *file, double left, double bottom, const size_t count[BINS], double most)
+{
+    double width = (double)CHART_WIDTH / BINS, x;
+    char text[32];
+    int i;
+    for (i = 0; i < BINS; ++i) {
+        if (!is_faint(count, i, most)) continue;
+        snprintf(text, sizeof text, "%lu", (unsigned long)count[i]);
+        x = left + (i + 0.5) * width;
+        fputs("<g font-size=\"16\"><path d=\"M", file);
+        put_pixels(file, x);
+        fputc(' ', file);
+        put_pixels(file, bottom - 3);
+        fputs("l-4 -8h8Z\"/>", file);
+        if (strlen(text) > 1 && (is_faint(count, i - 1, most) || is_faint(count, i + 1, most)))
+            put_upright(file, x + 6, bottom - 15, AT_START, text);
+        else
+            put_label(file, i > 0 ? x : left + 3, bottom - 15, i > 0 ? AT_MIDDLE : AT_START, text);
+        fputs("</g>\n", file);
+    }
+}
+
 /* The median as a dashed line, its value on the side where there is room. */
 static void draw_median(FILE *file, double left, double bottom, double median)
 {
@@ -177,8 +206,9 @@ static void draw_histogram(FILE *file, const chart *c, const options *o, int whi
     draw_bars(file, left, bottom, count, most);
     fputs("<g fill=\"#222\">\n", file);
     draw_count_axis(file, left, bottom, CHART_HEIGHT, most, step);
-    put_upright(file, left - CHART_LEFT + 24, bottom - 0.5 * CHART_HEIGHT, "outlines");
+    put_upright(file, left - CHART_LEFT + 24, bottom - 0.5 * CHART_HEIGHT, AT_MIDDLE, "outlines");
     draw_mu_axis(file, left, bottom, CHART_WIDTH, chart_rank(o, which));
+    name_faint_bars(file, left, bottom, count, most);
     if (chart_ranks(o) > 1) put_letter(file, left - CHART_LEFT + 6, top + 10, which);
     if (c->measured > 0) draw_median(file, left, bottom, median_of(c, o, which));
     fputs("</g>\n", file);

@@ -18,20 +18,31 @@ enum {
     BAR_BELOW = 62,
     PANEL_GAP = 24,
     PANEL_HEAD = 34,
-    FOOT = 48
+    FOOT = 48,
+    FOOT_ROW = 34 /* each after the first */
 };
+
+/* What stands below the panels, from left to right, and in more rows where there is no room. */
+enum foot { FOOT_SCALE, FOOT_UNIT, FOOT_REFUSED, FOOT_STROKES, FOOT_ACROSS, FOOT_ITEMS };
+
+typedef struct item {
+    double width; /* pixels; 0: not shown */
+    double x;     /* of its left end */
+    int row;
+} item;
 
 /* One panel. */
 typedef struct panel {
     camera camera;
-    int color;                /* which of the ranks */
-    int rank;                 /* p */
-    const char *from;         /* where it is seen from, if there are several views */
+    int color; /* which of the ranks */
+    int rank;  /* p */
+    int view;
     double least[2], most[2]; /* what is drawn, in view coordinates */
     double width, height;     /* pixels */
     double left, top;         /* pixels, of its upper left corner */
     double bar_top, bar_tick; /* of the colour bar */
     int whole_sphere;
+    int strokes; /* can any be seen? */
 } panel;
 
 typedef struct drawing {
@@ -45,6 +56,9 @@ typedef struct drawing {
     double width, height; /* pixels of the largest panel */
     double shift;         /* pixels down, where the colour bar is taller than the drawing */
     int page_width, page_height;
+    item foot[FOOT_ITEMS];
+    int foot_rows;
+    double bar_length; /* of the scale; 0: there is none */
     horizon horizon;
     points ring;
 } drawing;
@@ -174,7 +188,7 @@ static void place_panels(drawing *d, const picture *g)
         panel *p = &d->panel[i];
         p->color = i % colors;
         p->rank = map_color(o, p->color);
-        p->from = views > 1 ? o->view[i / colors].text : NULL;
+        p->view = i / colors;
         p->camera = camera_of(g, o, i / colors);
         p->bar_top = color_top(g, o, p->rank, &p->bar_tick);
         longest = fmax(longest, find_extent(p, g));
@@ -220,6 +234,41 @@ static double bar_height(const drawing *d)
     return fmin(BAR_MOST, fmax(BAR_LEAST, panels_height(d) - BAR_ENDS));
 }
 
+/* Places what is shown in the foot. Parts of one thing stand close to each other, if they can. */
+static void lay_out_foot(drawing *d)
+{
+    double x = MARGIN, gap;
+    int i;
+    for (i = 0; i < FOOT_ITEMS; ++i) d->page_width = (int)fmax(d->page_width, 2 * MARGIN + ceil(d->foot[i].width));
+    d->foot_rows = 1;
+    for (i = 0; i < FOOT_ITEMS; ++i) {
+        if (d->foot[i].width <= 0) continue;
+        gap = x <= MARGIN ? 0 : i == FOOT_UNIT || i == FOOT_ACROSS ? 6 : 30;
+        if (x + gap + d->foot[i].width > d->page_width - MARGIN) {
+            ++d->foot_rows;
+            x = MARGIN;
+            gap = 0;
+        }
+        d->foot[i].x = x + gap;
+        d->foot[i].row = d->foot_rows - 1;
+        x += gap + d->foot[i].width;
+    }
+}
+
+static double foot_y(const drawing *d, enum foot i)
+{
+    return d->page_height - MARGIN - 12 - FOOT_ROW * (d->foot_rows - 1 - d->foot[i].row);
+}
+
+/* The second part of a text of the foot goes on behind the first, or stands in the next row. */
+static void put_second_part(const drawing *d, enum foot i, const char *text)
+{
+    if (d->foot[i].width > 0 && d->foot[i].row == d->foot[i - 1].row) fprintf(d->file, " %s", text);
+    fputs("</text>\n", d->file);
+    if (d->foot[i].width > 0 && d->foot[i].row > d->foot[i - 1].row)
+        put_label(d->file, d->foot[i].x, foot_y(d, i) + 7, AT_START, text);
+}
+
 static void lay_out(drawing *d)
 {
     int i;
@@ -232,7 +281,9 @@ static void lay_out(drawing *d)
                  row * (d->height + panel_head(d) + panel_foot(d) + PANEL_GAP) + (d->height - p->height) / 2;
     }
     d->page_width = 2 * MARGIN + (bars_are_below(d) ? 0 : BAR_SPACE) + (int)ceil(panels_width(d));
-    d->page_height = 2 * MARGIN + title_space(d->options) + (int)ceil(panels_height(d) + 2 * d->shift) + FOOT;
+    lay_out_foot(d);
+    d->page_height = 2 * MARGIN + title_space(d->options) + (int)ceil(panels_height(d) + 2 * d->shift) + FOOT +
+                     FOOT_ROW * (d->foot_rows - 1);
 }
 
 /* --- the sphere below --------------------------------------------------------------------------------------------- */
@@ -351,17 +402,41 @@ static void draw_outline(drawing *d, const picture *g, const shape *s)
     fputs("</path>\n", d->file);
 }
 
-/* p strokes from the centre along the eigenvectors, longer where mu_p is larger (its root: small mu_p are common). Dark
-   ones on a light ground, and light ones on a dark one. */
+static const double *director_here(const drawing *d, const picture *g, const shape *s)
+{
+    return g->director + 3 * ((size_t)map_colors(d->options) * (size_t)(s - g->shape) + (size_t)d->at->color);
+}
+
+/* How long the strokes of an outline are: longer where mu_p is larger (its root: small mu_p are common). 0 where they
+   could not be seen. */
+static double stroke_reach(const drawing *d, const picture *g, const shape *s)
+{
+    const double *director = director_here(d, g, s);
+    double reach = 0.65 * sqrt(s->area / 3.141592653589793 * mu_here(d, g, s) / d->at->bar_top);
+    if (dot(director, director) < 0.5 || reach * d->scale < 1.5 || dot(s->normal, d->at->camera.eye) < 0.15) return 0;
+    return reach;
+}
+
+static void find_strokes(drawing *d, const picture *g)
+{
+    size_t i;
+    int k;
+    for (k = 0; k < d->panels; ++k) {
+        d->at = &d->panel[k];
+        for (i = 0; i < g->shapes && !d->panel[k].strokes; ++i)
+            d->panel[k].strokes = stroke_reach(d, g, &g->shape[i]) > 0;
+    }
+}
+
+/* p strokes from the centre along the eigenvectors. Dark ones on a light ground, and light ones on a dark one. */
 static void draw_glyph(const drawing *d, const picture *g, const shape *s)
 {
-    const double *director =
-        g->director + 3 * ((size_t)map_colors(d->options) * (size_t)(s - g->shape) + (size_t)d->at->color);
+    const double *director = director_here(d, g, s);
     int k, p = d->at->rank;
-    double mu = mu_here(d, g, s), reach = 0.65 * sqrt(s->area / 3.141592653589793 * mu / d->at->bar_top);
+    double mu = mu_here(d, g, s), reach = stroke_reach(d, g, s);
     double side[3], end[3], view[3], angle;
     size_t j;
-    if (dot(director, director) < 0.5 || reach * d->scale < 1.5 || dot(s->normal, d->at->camera.eye) < 0.15) return;
+    if (reach <= 0) return;
     cross(s->normal, director, side);
     fputs("<path fill=\"none\" stroke-linecap=\"round\" d=\"", d->file);
     for (k = 0; k < p; ++k) {
@@ -475,48 +550,157 @@ static void draw_bar_below(const drawing *d)
     fputs("</g>\n", d->file);
 }
 
-/* In the lower right corner. */
+/* --- below the panels --------------------------------------------------------------------------------------------- */
+
+static const char scale_unit[] = "(units of the corners)", scale_unit_of_sphere[] = "(units of the radius)";
+static const char across_the_sides[] = "across the long sides";
+
+/* On a sphere without a radius what can be said is how far the lines of the grid are apart. */
+static int has_grid(const drawing *d, const picture *g)
+{
+    return g->surface == SPHERE && !(d->options->radius > 0);
+}
+
+/* Strokes of the same rank look alike in all views. */
+static int has_strokes(const drawing *d, int color)
+{
+    int i;
+    for (i = 0; i < d->panels; ++i)
+        if (d->panel[i].color == color && d->panel[i].strokes) return 1;
+    return 0;
+}
+
+static int strokes_shown(const drawing *d)
+{
+    int i, shown = 0;
+    for (i = 0; i < map_colors(d->options); ++i) shown += has_strokes(d, i);
+    return shown;
+}
+
+static double pixels_of_unit(const drawing *d, const picture *g)
+{
+    return d->scale / (g->surface == SPHERE ? d->options->radius : 1);
+}
+
+static void write_scale(const drawing *d, const picture *g, char text[32])
+{
+    if (has_grid(d, g))
+        snprintf(text, 32, "grid: %d\xc2\xb0", d->panel[0].whole_sphere ? 30 : 10);
+    else
+        *write_number(NULL, text, 4, d->bar_length) = '\0';
+}
+
+enum { SAMPLE_WIDTH = 36, BAR_TO_TEXT = 12, SQUARE_TO_TEXT = 9 };
+
+/* What there is to say, and how wide it is. The length of the scale is about a fifth of a panel. */
+static void find_foot(drawing *d, const picture *g)
+{
+    const char *unit = d->options->unit;
+    char text[32];
+    int shown = strokes_shown(d);
+    if (g->corners > 0 && !has_grid(d, g)) {
+        d->bar_length = round_step(0.25 * d->width / pixels_of_unit(d, g));
+        write_scale(d, g, text);
+        d->foot[FOOT_SCALE].width = d->bar_length * pixels_of_unit(d, g) + BAR_TO_TEXT + text_width(text);
+        if (unit)
+            d->foot[FOOT_SCALE].width += text_width(" ") + text_width(unit);
+        else
+            d->foot[FOOT_UNIT].width = text_width(g->surface == SPHERE ? scale_unit_of_sphere : scale_unit);
+    } else if (g->corners > 0 && g->area <= 10) { /* above, almost 4 pi, nothing of the grid can be seen */
+        write_scale(d, g, text);
+        d->foot[FOOT_SCALE].width = text_width(text);
+    }
+    if (g->measured < g->shapes) d->foot[FOOT_REFUSED].width = BAR_WIDTH + SQUARE_TO_TEXT + text_width("refused");
+    if (shown == 0) return;
+    d->foot[FOOT_STROKES].width = SAMPLE_WIDTH * shown + SQUARE_TO_TEXT + text_width("directions of mu:");
+    d->foot[FOOT_ACROSS].width = text_width(across_the_sides);
+}
+
 static void draw_refused(const drawing *d)
 {
-    double x = d->page_width - MARGIN - 108, y = d->page_height - MARGIN - 12;
+    double x = d->foot[FOOT_REFUSED].x, y = foot_y(d, FOOT_REFUSED);
     fputs("<rect x=\"", d->file);
     put_pixels(d->file, x);
     fputs("\" y=\"", d->file);
     put_pixels(d->file, y - 9);
     fprintf(d->file, "\" width=\"%d\" height=\"%d\" fill=\"url(#refused)\" stroke=\"#8a8a8a\"/>\n<g fill=\"#222\">",
             BAR_WIDTH, BAR_WIDTH);
-    put_label(d->file, x + BAR_WIDTH + 9, y + 7, AT_START, "refused");
+    put_label(d->file, x + BAR_WIDTH + SQUARE_TO_TEXT, y + 7, AT_START, "refused");
     fputs("</g>\n", d->file);
 }
 
-/* A length that is about a fifth of a panel. On a sphere it holds at the middle; without a radius what can be said is
-   how far the lines of the grid are apart. */
+/* On a sphere it holds at the middle. */
 static void draw_scale(const drawing *d, const picture *g)
 {
-    double pixels = d->scale / (g->surface == SPHERE && d->options->radius > 0 ? d->options->radius : 1), length;
-    double y = d->page_height - MARGIN - 12;
+    double x = d->foot[FOOT_SCALE].x, y = foot_y(d, FOOT_SCALE), length = 0;
     char text[32];
-    if (g->corners == 0) return;
-    if (g->surface == SPHERE && !(d->options->radius > 0)) {
-        if (g->area > 10) return; /* almost 4 pi: nothing of the grid can be seen */
-        snprintf(text, sizeof text, "grid: %d\xc2\xb0", d->panel[0].whole_sphere ? 30 : 10);
-        fputs("<g fill=\"#222\">", d->file);
-        put_label(d->file, MARGIN, y + 7, AT_START, text);
-        fputs("</g>\n", d->file);
-        return;
+    if (!has_grid(d, g)) {
+        length = d->bar_length * pixels_of_unit(d, g);
+        fputs("<path fill=\"none\" stroke=\"#222\" stroke-width=\"4\" d=\"", d->file);
+        put_line(d->file, x, y, 'h', length);
+        fputs("\"/>\n", d->file);
+        length += BAR_TO_TEXT;
     }
-    length = round_step(0.25 * d->width / pixels);
-    fputs("<path fill=\"none\" stroke=\"#222\" stroke-width=\"4\" d=\"", d->file);
-    put_line(d->file, MARGIN, y, 'h', length * pixels);
-    fputs("\"/>\n<g fill=\"#222\">", d->file);
-    begin_text(d->file, MARGIN + length * pixels + 12, y + 7, AT_START, "");
-    *write_number(NULL, text, 4, length) = '\0';
+    write_scale(d, g, text);
+    fputs("<g fill=\"#222\">", d->file);
+    begin_text(d->file, x + length, y + 7, AT_START, "");
     fputs(text, d->file);
-    if (d->options->unit) {
+    if (d->options->unit && !has_grid(d, g)) {
         fputc(' ', d->file);
         put_text(d->file, d->options->unit, IN_XML);
     }
-    fputs("</text>\n</g>\n", d->file);
+    put_second_part(d, FOOT_UNIT, g->surface == SPHERE ? scale_unit_of_sphere : scale_unit);
+    fputs("</g>\n", d->file);
+}
+
+/* An outline with its strokes about (x, y): a rectangle for p = 2, else a regular polygon. */
+static void draw_sample(const drawing *d, int p, double x, double y)
+{
+    double angle;
+    int k;
+    fputs("<path d=\"", d->file);
+    for (k = 0; k < (p == 2 ? 4 : p) && p > 1; ++k) {
+        angle = 3.141592653589793 * (2 * k + 1) / p; /* the middle of a side is at the right */
+        fputc(k == 0 ? 'M' : 'L', d->file);
+        put_pixels(d->file, p == 2 ? x + (k == 0 || k == 3 ? 14 : -14) : x + 13 * cos(angle));
+        fputc(' ', d->file);
+        put_pixels(d->file, p == 2 ? y + (k < 2 ? 6 : -6) : y + 13 * sin(angle));
+    }
+    if (p > 1) fputc('Z', d->file);
+    fputs("\"/><path stroke-width=\"2.2\" d=\"", d->file);
+    for (k = 0; k < p; ++k) {
+        angle = 6.283185307179586 * k / p + (p == 2 ? 1.5707963267948966 : 0);
+        fputc('M', d->file);
+        put_pixels(d->file, x);
+        fputc(' ', d->file);
+        put_pixels(d->file, y);
+        fputc('L', d->file);
+        put_pixels(d->file, x + 10 * cos(angle));
+        fputc(' ', d->file);
+        put_pixels(d->file, y + 10 * sin(angle));
+    }
+    fputs("\"/>\n", d->file);
+}
+
+/* The key of the strokes: a sample for each rank, and what they are. */
+static void draw_stroke_key(const drawing *d)
+{
+    double x = d->foot[FOOT_STROKES].x, y = foot_y(d, FOOT_STROKES);
+    int i, rank = 0, shown = strokes_shown(d);
+    fputs("<g id=\"strokes\" fill=\"none\" stroke=\"#222\">\n", d->file);
+    for (i = 0; i < map_colors(d->options); ++i) {
+        if (!has_strokes(d, i)) continue;
+        rank = map_color(d->options, i);
+        draw_sample(d, rank, x + 0.5 * SAMPLE_WIDTH, y);
+        x += SAMPLE_WIDTH;
+    }
+    fputs("</g>\n<g fill=\"#222\">", d->file);
+    begin_text(d->file, x + SQUARE_TO_TEXT, y + 7, AT_START, "");
+    fputs(shown == 1 && rank < 3 ? "direction of " : "directions of ", d->file);
+    put_mu(d->file, shown == 1 ? rank : 0);
+    fputs("<tspan dy=\"-5\">:</tspan>", d->file);
+    put_second_part(d, FOOT_ACROSS, across_the_sides);
+    fputs("</g>\n", d->file);
 }
 
 static void define_fills(const drawing *d)
@@ -569,30 +753,81 @@ static void begin_map(const drawing *d, const picture *g)
         if (i > 0) fputs(", ", d->file);
         put_decimals(d->file, d->panel[i].bar_top, 2);
     }
-    fputs(". Strokes: eigenvectors of the positive eigenvalue at the middle of each outline, longer where mu_p is "
-          "larger. "
-          "Drawn by surfmink " SURFMINK_VERSION ".",
-          d->file);
+    fputc('.', d->file);
+    if (strokes_shown(d) > 0)
+        fputs(
+            " Strokes: eigenvectors of the positive eigenvalue at the middle of each outline, which cross its longest "
+            "sides, longer where mu_p is larger.",
+            d->file);
+    fputs(" Drawn by surfmink " SURFMINK_VERSION ".", d->file);
     end_description(d->file, d->page_width, d->options);
     define_fills(d);
 }
 
+enum { VIEW_NAME = 128 };
+
+/* Returns the new end. */
+static char *append(char *end, const char *text)
+{
+    size_t length = strlen(text);
+    memcpy(end, text, length + 1);
+    return end + length;
+}
+
+static char *append_number(char *end, double value)
+{
+    end = write_number(NULL, end, 4, value);
+    *end = '\0';
+    return end;
+}
+
+static char *append_degrees(char *end, double degrees, const char *positive, const char *negative)
+{
+    end = append(append_number(end, fabs(degrees)), "\xc2\xb0 ");
+    return append(end, degrees < 0 ? negative : positive);
+}
+
+/* From where the outlines are seen. */
+static void name_view(const options *o, int i, char name[VIEW_NAME])
+{
+    const viewpoint *v = &o->view[i];
+    if (v->look == LOOK_BACK)
+        append(name, i > 0 ? "from the other side" : "from behind");
+    else if (v->look == LOOK_FRONT)
+        append(name, "from the front");
+    else if (v->numbers == 2) {
+        name = append(name, "from above ");
+        name = append_degrees(name, remainder(v->from[0], 360), "E", "W");
+        name = append(name, ", ");
+        append_degrees(name, v->from[1], "N", "S");
+    } else {
+        name = append_number(append(name, "from x, y, z = "), v->from[0]);
+        name = append_number(append(name, ", "), v->from[1]);
+        append_number(append(name, ", "), v->from[2]);
+    }
+}
+
+/* The title of a panel, in letters that it has room for. */
 static void draw_head(const drawing *d, int i)
 {
     double left = MARGIN + i % d->columns * (d->width + PANEL_GAP);
     double y = d->at->top - (d->height - d->at->height) / 2 - 12;
+    int several_ranks = map_colors(d->options) > 1, several_views = d->options->views > 1;
+    char name[VIEW_NAME] = "";
+    size_t length;
     if (d->panels == 1) return;
+    if (several_views) name_view(d->options, d->at->view, name);
+    length = text_length(name) + (several_ranks ? 4 : 0);
     fputs("<g fill=\"#222\">", d->file);
     put_letter(d->file, left, y, i);
-    begin_text(d->file, left + d->width / 2, y, AT_MIDDLE, "font-size=\"22\"");
-    if (map_colors(d->options) > 1) put_mu(d->file, d->at->rank);
-    if (d->at->from) {
-        fprintf(d->file, "<tspan%s>%s", map_colors(d->options) > 1 ? " dy=\"-5\"" : "",
-                map_colors(d->options) > 1 ? ", " : "");
-        put_text(d->file, d->at->from, IN_XML);
-        fputs("</tspan>", d->file);
-    }
-    fputs("</text>\n</g>\n", d->file);
+    fputs("<g font-size=\"", d->file);
+    put_pixels(d->file, fmin(22, fmax(11, (d->width - 48) / (0.58 * (double)length))));
+    fputs("\">", d->file);
+    begin_text(d->file, left + d->width / 2, y, AT_MIDDLE, "");
+    if (several_ranks) put_mu(d->file, d->at->rank);
+    if (several_views)
+        fprintf(d->file, "<tspan%s>%s%s</tspan>", several_ranks ? " dy=\"-5\"" : "", several_ranks ? ", " : "", name);
+    fputs("</text></g>\n</g>\n", d->file);
 }
 
 static void draw_panel(drawing *d, const picture *g, int i)
@@ -619,13 +854,16 @@ static void write_map(const picture *g, const options *o)
     memset(&d, 0, sizeof d);
     d.options = o;
     place_panels(&d, g);
+    find_strokes(&d, g);
+    find_foot(&d, g);
     lay_out(&d);
     d.file = open_page(o->svg);
     begin_map(&d, g);
     for (i = 0; i < d.panels; ++i) draw_panel(&d, g, i);
     if (!bars_are_below(&d)) draw_bar(&d);
-    if (g->measured < g->shapes) draw_refused(&d);
-    draw_scale(&d, g);
+    if (d.foot[FOOT_SCALE].width > 0) draw_scale(&d, g);
+    if (d.foot[FOOT_REFUSED].width > 0) draw_refused(&d);
+    if (d.foot[FOOT_STROKES].width > 0) draw_stroke_key(&d);
     fputs("</svg>\n", d.file);
     close_page(d.file, o->svg);
     free_horizon(&d.horizon);

@@ -17,8 +17,9 @@ enum look { LOOK_FRONT, LOOK_BACK, LOOK_FROM_GIVEN };
 
 typedef struct viewpoint {
     enum look look;
-    camera camera;    /* LOOK_FROM_GIVEN */
-    const char *text; /* as the user wrote it */
+    camera camera;  /* this and what follows: LOOK_FROM_GIVEN */
+    double from[3]; /* as the user wrote it */
+    int numbers;    /* 2: longitude and latitude, 3: a direction */
 } viewpoint;
 
 typedef struct options {
@@ -238,13 +239,14 @@ static int parse_list(const char *value, double *number, int most)
 
 static void parse_view(options *o, const char *value)
 {
-    double v[3];
+    double v[3] = {0, 0, 0};
     viewpoint *new_view = &o->view[o->views];
     int count = parse_list(value, v, 3);
     if (o->views == MOST_VIEWS) usage_error("--view can be given %d times at most", MOST_VIEWS);
     ++o->views;
-    new_view->text = value;
     new_view->look = LOOK_FROM_GIVEN;
+    new_view->numbers = count;
+    memcpy(new_view->from, v, sizeof v);
     if (strcmp(value, "front") == 0)
         new_view->look = LOOK_FRONT;
     else if (strcmp(value, "back") == 0)

@@ -51,6 +51,20 @@ static void put_pixels(FILE *file, double pixels)
 
 /* --- texts -------------------------------------------------------------------------------------------------------- */
 
+/* How many characters, not bytes. */
+static size_t text_length(const char *text)
+{
+    size_t length = 0;
+    for (; *text; ++text) length += ((unsigned char)*text & 0xc0) != 0x80;
+    return length;
+}
+
+/* About, in letters of TEXT_SIZE: fonts differ. */
+static double text_width(const char *text)
+{
+    return 0.54 * TEXT_SIZE * (double)text_length(text);
+}
+
 enum anchor { AT_START, AT_MIDDLE, AT_END };
 
 static void begin_text(FILE *file, double x, double y, enum anchor anchor, const char *attributes)
@@ -142,14 +156,6 @@ static void begin_page(FILE *file, int width, int height, const options *o, cons
             width, height, width, height, TEXT_SIZE);
     put_text(file, o->title ? o->title : title, IN_XML);
     fputs("</title>\n<desc id=\"description\">", file);
-}
-
-/* How many characters, not bytes. */
-static size_t text_length(const char *text)
-{
-    size_t length = 0;
-    for (; *text; ++text) length += ((unsigned char)*text & 0xc0) != 0x80;
-    return length;
 }
 
 /* Behind the description: a white page, and the title in letters that it has room for. */

@@ -53,10 +53,12 @@ static void place(size_t edge, double fraction, double x[3], double frame[6])
     }
 }
 
+static const plot_pen outwards = {"#cc3399", 1.8, ""}, eigenvector = {"#000000", 1.1, ""};
+
 static void draw_panel(plot *p, double left, int transport, int rank, const char *title, const char *value)
 {
     plot_view view = plot_look(38, 32, left + 88, 122, 80);
-    plot_pen casing = {"#000000", 4.6, ""}, line = {"", 3.4, ""}, arm = {"#000000", 1.1, ""}, nu = {"#cc3399", 1.8, ""};
+    plot_pen casing = {"#000000", 4.6, ""}, line = {"", 3.4, ""};
     double mu[RANKS + 1], g[2 * RANKS + 2], x[6], frame[6], arrow[3 * RANKS], tip[3], from[2], to[2];
     char colour[8];
     size_t edge;
@@ -81,23 +83,37 @@ static void draw_panel(plot *p, double left, int transport, int rank, const char
             plot_project(&view, x, from);
             for (k = 0; k < 3; ++k) tip[k] = x[k] + 0.4 * frame[k];
             plot_project(&view, tip, to);
-            plot_arrow(p, from[0], from[1], to[0], to[1], nu);
+            plot_arrow(p, from[0], from[1], to[0], to[1], outwards);
             if (mu[rank] < 1e-9) continue; /* no direction is better than another */
             surfmink_eigenvectors(g, rank, 1, 0, frame, 3, arrow);
             for (n = 0; n < rank; ++n) {
                 for (k = 0; k < 3; ++k) tip[k] = x[k] + 0.21 * arrow[3 * n + k];
                 plot_project(&view, tip, to);
-                plot_arrow(p, from[0], from[1], to[0], to[1], arm);
+                plot_arrow(p, from[0], from[1], to[0], to[1], eigenvector);
             }
         }
     plot_letter(p, left + 6, 16, title);
     plot_text(p, left + 88, 226, 11, "middle", value);
 }
 
-/* mu_3 and mu_4 over the place of the fiducial point on edge 0. */
+/* Below the four panels. */
+static void draw_key(plot *p, double y)
+{
+    plot_arrow(p, 70, y, 96, y, outwards);
+    plot_text(p, 104, y + 3.5, 10, "start", "outwards (co-normal)");
+    plot_arrow(p, 250, y, 276, y, eigenvector);
+    plot_text(p, 284, y + 3.5, 10, "start", "eigenvectors (positive eigenvalue)");
+}
+
+/* mu_3 and mu_4 over the place of the fiducial point on edge 0. Two of them are 1 everywhere: a thin line on a thick
+   one, with marks that take turns. */
 static void draw_values(plot *p, const experiment *e, double left)
 {
+    static const char *const name[4] = {"$\\mu_3$ parallel", "$\\mu_4$ parallel", "$\\mu_3$ corrected",
+                                        "$\\mu_4$ corrected"};
+    static const enum plot_marker marker[4] = {PLOT_NONE, PLOT_BOX, PLOT_DISC, PLOT_NONE};
     plot_axes axes = {left, 42, 150, 140, {0, 1}, {0, 1.05}, {0, 0}};
+    plot_pen pen[4];
     double u[65], value[4][65], mu[RANKS + 1], g[2 * RANKS + 2];
     int i, k;
     for (i = 0; i <= 64; ++i) {
@@ -114,11 +130,15 @@ static void draw_values(plot *p, const experiment *e, double left)
         fputc('\n', e->table);
     }
     plot_frame(p, &axes, 0.5, 0.2, "fiducial point, fraction of edge", "$\\mu_p$");
-    for (k = 0; k < 4; ++k) plot_curve(p, &axes, u, value[k], 65, plot_pens[k], PLOT_NONE);
-    plot_key(p, left + 14, 112, plot_pens[0], PLOT_NONE, "$\\mu_3$ parallel");
-    plot_key(p, left + 14, 97, plot_pens[1], PLOT_NONE, "$\\mu_4$ parallel");
-    plot_key(p, left + 14, 82, plot_pens[2], PLOT_NONE, "$\\mu_3$ corrected");
-    plot_key(p, left + 14, 67, plot_pens[3], PLOT_NONE, "$\\mu_4$ corrected");
+    for (k = 0; k < 4; ++k) {
+        pen[k] = plot_pens[k];
+        if (k == 1) pen[k].width = 4;
+        plot_curve(p, &axes, u, value[k], 65, pen[k], PLOT_NONE);
+        plot_key(p, left + 14, 114 - 14 * k, pen[k], marker[k], name[k]);
+    }
+    for (k = 1; k < 3; ++k)
+        for (i = k == 1 ? 4 : 12; i < 64; i += 16)
+            plot_mark(p, marker[k], plot_x(&axes, u[i]), plot_y(&axes, value[k][i]), 3.5, pen[k].colour);
     plot_letter(p, left - 30, 16, "(c)");
 }
 
@@ -130,7 +150,7 @@ int main(int argc, char **argv)
     experiment e;
     plot p;
     int row, k;
-    if (experiment_begin(&e, argc, argv, "octant") || plot_begin(&p, e.figure, 985, 240)) return 1;
+    if (experiment_begin(&e, argc, argv, "octant") || plot_begin(&p, e.figure, 985, 262)) return 1;
     experiment_need(surfmink_edges_sphere(corner, 3, 1.0, length, turning, NULL) == SURFMINK_OK, "the octant is fine");
     printed_read(&t, &e, "triangle90.tsv");
     puts("The octant under parallel transport to a point at a fraction u of an edge: mu_p computed / reference");
@@ -162,6 +182,7 @@ int main(int argc, char **argv)
     draw_panel(&p, 360, SURFMINK_CORRECTED, 3, "(b.i)  corrected, $p$ = 3", "$\\mu_3$ = 1");
     draw_panel(&p, 540, SURFMINK_CORRECTED, 4, "(b.ii)  corrected, $p$ = 4", "$\\mu_4$ = 0");
     plot_scale(&p, 727, 62, 12, 120, "$\\mu_p$");
+    draw_key(&p, 249);
     draw_values(&p, &e, 815);
     return plot_end(&p) + experiment_end(&e) > 0;
 }

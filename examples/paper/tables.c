@@ -221,12 +221,13 @@ static void draw(const experiment *e, errors great_circles, errors chords)
 {
     static const enum column shown[6] = {F, G_LAG, G, G_MIDDLE, MU, KAPPA};
     static const char *const meaning[6] = {"$f$",
-                                           "$g_3$ as printed (lag, /4)",
+                                           "$g_3$ as printed (one corner late, divided by 4)",
                                            "$g_3$ read at corner 0",
                                            "$g_3$ read at the middle of edge 0",
                                            "$\\mu_3$",
                                            "$\\kappa$"};
     static const char *const title[2] = {"(a)  great circles on the unit sphere", "(b)  chords on the ellipsoid"};
+    static const double key[3] = {60, 365, 620};
     double q[LEVELS], error[LEVELS];
     plot p;
     int panel, k, level;
@@ -246,8 +247,7 @@ static void draw(const experiment *e, errors great_circles, errors chords)
         draw_slope(&p, &axes, 0.9, 1);
         draw_slope(&p, &axes, 4e-5, 2);
     }
-    for (k = 0; k < 6; ++k)
-        plot_key(&p, 70 + 235 * (k / 2), 325 + 20 * (k % 2), plot_pens[k], plot_markers[k], meaning[k]);
+    for (k = 0; k < 6; ++k) plot_key(&p, key[k / 2], 325 + 20 * (k % 2), plot_pens[k], plot_markers[k], meaning[k]);
     if (plot_end(&p)) exit(1);
 }
 

@@ -108,9 +108,9 @@ static void draw_country(plot *p, const country *whole, double tolerance, double
     if (tolerance > 0)
         snprintf(name, sizeof name, "to %g km: %lu corners", tolerance, (unsigned long)s.n);
     else
-        snprintf(name, sizeof name, "as shipped: %lu corners", (unsigned long)s.n);
+        snprintf(name, sizeof name, "as in the data: %lu corners", (unsigned long)s.n);
     plot_text(p, left + 80, top + 12, 11, "middle", name);
-    theory_bars(p, mu, RANKS, left + 30, top + 146, 100, 40);
+    theory_bars(p, mu, RANKS, left + 30, top + 146, 100, 40, !(tolerance > 0));
 }
 
 int main(int argc, char **argv)
@@ -129,7 +129,7 @@ int main(int argc, char **argv)
     read_country(&whole, "Mexico");
     for (k = 0; k < 4; ++k) draw_country(&p, &whole, k == 0 ? 0 : k == 1 ? 50 : k == 2 ? 200 : 500, 26 + 186.0 * k, 4);
     plot_letter(&p, 6, 236, "(b)");
-    plot_frame(&p, &lengths, 0, 0.1, "tolerance, km", "length / length as shipped");
+    plot_frame(&p, &lengths, 0, 0.1, "tolerance, km", "length / length in the data");
     plot_letter(&p, 356, 236, "(c)");
     plot_frame(&p, &shapes, 0, 0.2, "tolerance, km", "$\\mu_2$");
     puts("country   tolerance  corners   length     mu_2   mu_3   mu_4   mu_6\n               km              km");

@@ -114,7 +114,7 @@ static void draw_outline(plot *p, int sides, size_t smooth, double left, double 
     else
         snprintf(name, sizeof name, "as traced");
     plot_text(p, left + 68, top + 12, 11, "middle", name);
-    theory_bars(p, mu, RANKS, left + 22, top + 158, 96, 40);
+    theory_bars(p, mu, RANKS, left + 22, top + 158, 96, 40, smooth == 0);
 }
 
 /* mu_rank over the radius, one line for each number of passes. */
@@ -182,8 +182,8 @@ int main(int argc, char **argv)
     }
     plot_letter(&p, 6, 230, "(c)");
     plot_letter(&p, 376, 230, "(d)");
-    draw_curves(&p, 0, 4, &disc, "$\\mu_4$ of the disc (none: 0)");
-    draw_curves(&p, 6, 6, &hexagon, "$\\mu_6$ of the hexagon (whole: 1)");
+    draw_curves(&p, 0, 4, &disc, "$\\mu_4$ of the disc (should be 0)");
+    draw_curves(&p, 6, 6, &hexagon, "$\\mu_6$ of the hexagon (should be 1)");
     tell_lengths();
     plot_text(&p, 740, 250, 10, "start", "passes");
     for (k = 0; k < PASSES; ++k) {

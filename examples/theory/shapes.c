@@ -101,7 +101,7 @@ static void draw_plane(plot *p, const shape *s, double left, double top)
                                     (k ? -1 : 1) * scale * (s->corner[2 * i + (size_t)k] - (low[k] + high[k]) / 2);
     plot_path(p, xy, s->n, 1, pen, "#dddddd");
     plot_text(p, left + COLUMN / 2, top + 11, 11, "middle", s->name);
-    theory_bars(p, mu, RANKS, left + 18, top + 110, COLUMN - 24, 36);
+    theory_bars(p, mu, RANKS, left + 18, top + 110, COLUMN - 24, 36, left < COLUMN);
 }
 
 static void draw_sphere(plot *p, const shape *s, double left, double top)
@@ -124,7 +124,7 @@ static void draw_sphere(plot *p, const shape *s, double left, double top)
     plot_repeat(p, "sphere", view.x, view.y);
     plot_curve_on(p, &view, plot_in_ellipsoid, axis, 2.2, curve, s->n * pieces, 1, pen, plot_no_line);
     plot_text(p, left + COLUMN / 2, top + 11, 11, "middle", s->name);
-    theory_bars(p, mu, RANKS, left + 18, top + 110, COLUMN - 24, 36);
+    theory_bars(p, mu, RANKS, left + 18, top + 110, COLUMN - 24, 36, left < COLUMN);
 }
 
 int main(int argc, char **argv)

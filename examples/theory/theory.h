@@ -33,9 +33,9 @@ static inline void theory_need(int status)
     exit(1);
 }
 
-/* mu_1 ... mu_ranks as bars in a box, with the scale at its left. */
+/* mu_1 ... mu_ranks as bars in a box, with the scale at its left. Of boxes in a row the first names both axes. */
 static inline void theory_bars(plot *p, const double *mu, int ranks, double left, double top, double width,
-                               double height)
+                               double height, int first)
 {
     plot_axes axes = {0, 0, 0, 0, {0, 1}, {0, 1}, {0, 0}};
     axes.left = left;
@@ -44,6 +44,9 @@ static inline void theory_bars(plot *p, const double *mu, int ranks, double left
     axes.height = height;
     plot_ticks(p, &axes, 1, 1, "");
     plot_bars(p, &axes, mu, 1, ranks, 9);
+    if (!first) return;
+    plot_text_as(p, left - 9, top + height / 2, 11, "middle", "#000000", 0, 1, "$\\mu_p$");
+    plot_text(p, left + width + 6, top + height + 10, 9, "middle", "$p$");
 }
 
 #endif /* THEORY_H */

@@ -137,14 +137,12 @@ int main(int argc, char **argv)
     phase[3] = phase[2] + turning[0];
     part[3] = 0.5;
     draw_compass(&p, 320, 105, 54, 4, phase, part, halves);
-    theory_bars(&p, parallel, RANKS, 278, 200, 90, 60);
+    theory_bars(&p, parallel, RANKS, 278, 200, 90, 60, 1);
     plot_letter(&p, 400, 18, "(c)  corrected");
     theory_need(surfmink_phases(turning, 3, SURFMINK_CORRECTED, phase));
     for (k = 0; k < 3; ++k) part[k] = 1;
     draw_compass(&p, 470, 105, 54, 3, phase, part, whole);
-    theory_bars(&p, corrected, RANKS, 428, 200, 90, 60);
-    plot_text(&p, 262, 232, 11, "middle", "$\\mu_p$");
-    plot_text(&p, 412, 232, 11, "middle", "$\\mu_p$");
+    theory_bars(&p, corrected, RANKS, 428, 200, 90, 60, 1);
     plot_letter(&p, 570, 18, "(d)  regular triangles of all sizes");
     draw_sizes(&p, 615, 40);
     return plot_end(&p);
