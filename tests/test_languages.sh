@@ -83,7 +83,8 @@ gfortran -std=f2018 -Wall -Wextra -Werror -J. examples/languages/surfmink.f90 ex
     -o cells > warned 2>&1
 check "gfortran has nothing to say" "$(cat warned)" ""
 unset SURFMINK_LIBRARY
-check "in a clone, what make shared builds is found" "$(python3 -c 'import surfmink; print(surfmink.STATUS_NAMES[0])')" ok
+check "in a clone, what make shared builds is found" \
+    "$(python3 -c 'import surfmink; print(surfmink.STATUS_NAMES[0])')" ok
 mkdir alone
 cp examples/languages/surfmink.py alone
 PYTHONPATH=$work/alone python3 -c 'import surfmink' 2> err
