@@ -368,7 +368,7 @@ def _each(one, corners, offset, max_rank, **more):
     results = Results(offset.size - 1, max_rank, **more)
     results._offset = offset
     for i in range(offset.size - 1):
-        if offset[i + 1] < offset[i]:
+        if offset[i + 1] < offset[i] or offset[i + 1] > offset[-1]:
             results.status[i] = STATUS_NAMES.index("bad_argument")
             continue
         try:
