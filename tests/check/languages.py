@@ -572,7 +572,7 @@ def nothing_is_written_beyond_the_memory_that_is_handed_over():
                         for does, named in (("curve", {}), ("gradient", weights), ("director", {})):
                             measured = getattr(surfmink, does + "_" + kind)(*arrays, offset, max_rank=9, **named)
                             assert np.all(measured.status == 0)
-        for measure in (surfmink.plane, surfmink.gradient_plane, surfmink.curve_plane):  # the last offset is not the largest
+        for measure in (surfmink.plane, surfmink.gradient_plane, surfmink.curve_plane):  # the last one is not the largest
             assert list(measure(circle(200), [0, 200, 3]).names) == ["bad_argument", "bad_argument"]
     finally:
         surfmink.np = np
