@@ -212,11 +212,11 @@ theorems() {
             > "$objects/$number_before.sh"
 }
 sanitize="-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all"
-theorems "$all" 50 "" gcc -O0 $wall_c
-theorems "$some tests/test_curve.c tests/test_gradient.c tests/test_long.c" 50 "" gcc -O3 -march=native -fno-math-errno
-theorems "$all" 50 "" clang -O2 $wall_c
-theorems "$all" 50 "" tcc
-theorems "$some" 200 "" musl-gcc -O1
+theorems "$all" 200 "" gcc -O0 $wall_c
+theorems "$some tests/test_curve.c tests/test_gradient.c tests/test_long.c" 200 "" gcc -O3 -march=native -fno-math-errno
+theorems "$all" 200 "" clang -O2 $wall_c
+theorems "$all" 200 "" tcc
+theorems "$some" 1000 "" musl-gcc -O1
 theorems "$all" 1000 qemu-s390x $s390x -O1
 theorems "$singles" 1000 qemu-i386 $gcc32 -O1 -msse2 -mfpmath=sse
 theorems "tests/test_properties.c tests/test_reference.c" 1000 qemu-i386 $gcc32 -O1 -mno-sse
