@@ -54,16 +54,15 @@ static void claim_json(const char *text)
 
 static void fuzz(bytes in)
 {
-    int status, i, json = 0, texts = 0;
+    int status, i, json, texts = 0;
     if (!world_begin(in)) return;
-    for (i = 1; i < world.words; ++i) {
-        json |= strcmp(world.word[i], "--json") == 0;
+    for (i = 1; i < world.words; ++i)
         texts |= strcmp(world.word[i], "--help") == 0 || strcmp(world.word[i], "--version") == 0;
-    }
     progress_is_shown = 0;
     held_back.write = NULL; /* of a run that ended early */
     status = world_run(command_main);
     CLAIM(status == EXIT_MEASURED || status == EXIT_TROUBLE || status == EXIT_REFUSED);
+    json = world.said && *world.said == '{'; /* --json may also be a file, behind --, or a title */
     if (world.said && !texts && json) claim_json(world.said);
     if (world.said && !texts && !json) {
         claim_table(world.said);
