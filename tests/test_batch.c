@@ -1181,31 +1181,56 @@ THEOREM(corners_before_the_first_offset_are_not_looked_at)
         }
 }
 
-/* An outline, one whose corners would end before they start, and the first one again. */
+/* Three outlines on the corners of one flower, with offsets that do not only rise. */
+static void measure_falling(enum surface surface, size_t length, size_t offset[4], answers *a)
+{
+    bundle b, falling;
+    bundle_open(&b, surface, 1, length);
+    add_flower(&b, length);
+    falling = b;
+    falling.offset = offset;
+    falling.count = 3;
+    measure(&falling, a, WITH_SCRATCH);
+    CASE("%s, %d corners", surface_name[surface], (int)length);
+    bundle_close(&b);
+}
+
 THEOREM(offsets_that_fall_are_a_bad_argument)
 {
     static const size_t length[3] = {5, 70, 600};
-    size_t offset[4] = {0, 0, 0, 0}, k;
-    int surface;
+    int surface, k;
     for (surface = 0; surface < SURFACES; ++surface)
-        for (k = 0; k < 3; ++k) {
-            bundle b, falling;
+        for (k = 0; k < 3; ++k) { /* an outline, one that would end before it starts, and the first one again */
+            size_t offset[4] = {0, 0, 0, 0};
             answers a;
-            bundle_open(&b, (enum surface)surface, 1, length[k]);
-            add_flower(&b, length[k]);
-            falling = b;
-            falling.offset = offset;
-            falling.count = 3;
             offset[1] = offset[3] = length[k];
-            measure(&falling, &a, WITH_SCRATCH);
-            CASE("%s, %d corners", surface_name[surface], (int)length[k]);
+            measure_falling((enum surface)surface, length[k], offset, &a);
             CHECK_EQUAL(a.refused, 1);
             CHECK_OK(a.out.status[0]);
             CHECK_STATUS(a.out.status[1], SURFMINK_BAD_ARGUMENT);
             check_untouched(&a, 1);
             check_same(&a, 2, &a, 0);
             answers_close(&a);
-            bundle_close(&b);
+        }
+}
+
+THEOREM(outlines_that_end_after_the_last_offset_are_a_bad_argument)
+{
+    static const size_t length[3] = {5, 70, 600};
+    int surface, k;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (k = 0; k < 3; ++k) { /* one that ends after the last, one that falls, and one that is within */
+            size_t offset[4] = {0, 0, 3, 0};
+            answers a;
+            offset[1] = length[k];
+            offset[3] = length[k] - 1;
+            measure_falling((enum surface)surface, length[k], offset, &a);
+            CHECK_STATUS(a.out.status[0], SURFMINK_BAD_ARGUMENT);
+            CHECK_STATUS(a.out.status[1], SURFMINK_BAD_ARGUMENT);
+            check_untouched(&a, 0);
+            check_untouched(&a, 1);
+            CHECK(a.out.status[2] != SURFMINK_BAD_ARGUMENT);
+            answers_close(&a);
         }
 }
 
@@ -1267,34 +1292,6 @@ static void check_set(enum surface surface, const char *reference, const char *p
         ++i;
     }
     bundle_close(&b);
-}
-
-THEOREM(outlines_that_end_after_the_last_offset_are_a_bad_argument)
-{
-    static const size_t length[3] = {5, 70, 600};
-    size_t offset[4] = {0, 0, 3, 0}, k;
-    int surface;
-    for (surface = 0; surface < SURFACES; ++surface)
-        for (k = 0; k < 3; ++k) {
-            bundle b, falling;
-            answers a;
-            bundle_open(&b, (enum surface)surface, 1, length[k]);
-            add_flower(&b, length[k]);
-            falling = b;
-            falling.offset = offset;
-            falling.count = 3;
-            offset[1] = length[k];
-            offset[3] = length[k] - 1;
-            measure(&falling, &a, WITH_SCRATCH);
-            CASE("%s, %d corners", surface_name[surface], (int)length[k]);
-            CHECK_STATUS(a.out.status[0], SURFMINK_BAD_ARGUMENT);
-            CHECK_STATUS(a.out.status[1], SURFMINK_BAD_ARGUMENT);
-            check_untouched(&a, 0);
-            check_untouched(&a, 1);
-            CHECK(a.out.status[2] != SURFMINK_BAD_ARGUMENT);
-            answers_close(&a);
-            bundle_close(&b);
-        }
 }
 
 THEOREM(the_reference_sets_come_out_of_batches)
