@@ -415,7 +415,8 @@ check "many machines: Open MPI and GNU parallel give the bytes of one run" "
 check "layout" "clang-format-14 --dry-run --Werror surfmink.h \$(find examples tests -name '*.[ch]')"
 check "lines of at most 120 columns" "awk 'length > 120 { print FILENAME \":\" FNR }' surfmink.h Makefile \
     \$(find examples tests -name '*.[ch]' -o -name '*.sh')"
-check "nothing else lies at the top" "ls | grep -vxE 'surfmink.h|tests|examples|docs|Makefile|LICENSE|README.md' || true"
+check "nothing else lies at the top" "
+    ls | grep -vxE 'surfmink.h|tests|examples|docs|Makefile|LICENSE|README.md' || true"
 check "the version stands on line 1 and in the macros" "v=\$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
     grep -q \"#define SURFMINK_VERSION  *\\\"\$v\\\"\" surfmink.h"
 
