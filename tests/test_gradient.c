@@ -812,6 +812,7 @@ THEOREM(units_do_not_matter)
             }
 }
 
+/* On the sphere kernels have no unit: it comes in with the radius. */
 THEOREM(weights_of_lengths_have_the_unit_of_lengths)
 {
     static outline o;
@@ -1262,7 +1263,6 @@ THEOREM(a_batch_says_what_single_calls_say_whatever_stands_beside)
         }
 }
 
-/* Weights of lengths have their unit: on the sphere kernels have none. */
 THEOREM(a_batch_with_a_bad_argument_writes_nothing)
 {
     static bundle b;
