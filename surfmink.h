@@ -2717,6 +2717,12 @@ static int surfmink__finite(const double *v, size_t dim)
     return 1;
 }
 
+/* A length L that leaves room for rounding: |g_p| <= L, but may come out an ulp above it. */
+static int surfmink__writable(double length)
+{
+    return length <= 1.7976e308;
+}
+
 static double surfmink__max_abs(const double *v, size_t dim)
 {
     double m = 0;
@@ -3472,7 +3478,7 @@ static int surfmink__functionals(const surfmink__outline *o, surfmink_functional
     double turned;
     int status;
     surfmink__sums(o, &w->length, &w->turning, &turned);
-    if (!surfmink__finite(&w->length, 1)) return SURFMINK_NOT_FINITE;
+    if (!surfmink__writable(w->length)) return SURFMINK_NOT_FINITE;
     if (!(w->length > 0)) return SURFMINK_BAD_ARGUMENT;
     w->area = 0;
     w->curvature = surfmink__two_pi - w->turning;
@@ -3763,7 +3769,7 @@ static int surfmink__check_measured(const surfmink__outline *o, int max_rank, do
     int status = max_rank >= 0 ? surfmink__check(o, NULL) : SURFMINK_BAD_ARGUMENT;
     if (status != SURFMINK_OK) return status;
     surfmink__sums(o, length, &turning, &turned);
-    return surfmink__finite(length, 1) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
+    return surfmink__writable(*length) ? SURFMINK_OK : SURFMINK_NOT_FINITE;
 }
 
 SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase, size_t n, int max_rank, double *g)
@@ -5119,7 +5125,7 @@ static int surfmink__fourth(surfmink__arcs *c, const surfmink__source *s, int ma
     c->total = w->turning - c->rise; /* which the polygon knows better than the sum of its turns */
     if ((status = surfmink__check_arcs(c)) != SURFMINK_OK) return status;
     curve = surfmink__functionals_of(c, s, w);
-    if (!surfmink__finite(&curve.length, 1) || !surfmink__finite(&curve.area, 1)) return SURFMINK_NOT_FINITE;
+    if (!surfmink__writable(curve.length) || !surfmink__finite(&curve.area, 1)) return SURFMINK_NOT_FINITE;
     if (mu) mu[0] = 1;
     if (g) {
         g[0] = curve.length;

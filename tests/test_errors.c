@@ -321,6 +321,23 @@ THEOREM(what_overflows_is_not_finite)
     REFUSES(surfmink_irreducible(length, quarter, 4, 3, out.g), SURFMINK_NOT_FINITE);
 }
 
+/* A past bug: measured edges with L next to the largest double had g_p an ulp above it, which is infinite. */
+THEOREM(what_is_as_long_as_a_double_can_say_has_no_room_for_rounding)
+{
+    static const double beyond[4] = {0, 0, 0, DBL_MAX}, below[4] = {0, 0, 0, 1.797e308};
+    double turning[4] = {1.5, 1.5, 1.5, 1.5}, g[2 * 13];
+    int trial, p;
+    for (trial = 0; trial < 1000; ++trial) {
+        turning[3] = PI / 2000 * trial;
+        CASE("trial %d", trial);
+        REFUSES(surfmink_total(beyond, turning, 4, &out.w), SURFMINK_NOT_FINITE);
+        REFUSES(surfmink_irreducible(beyond, turning, 4, 3, out.g), SURFMINK_NOT_FINITE);
+        REFUSES(surfmink_irreducible_parallel(beyond, turning, 4, 0, 0.5, 3, out.g), SURFMINK_NOT_FINITE);
+        CHECK_OK(surfmink_irreducible(below, turning, 4, 12, g));
+        for (p = 0; p <= 12; ++p) CHECK(fabs(g[2 * p]) <= DBL_MAX && fabs(g[2 * p + 1]) <= DBL_MAX);
+    }
+}
+
 THEOREM(a_sphere_has_a_centre_antipodes_and_a_positive_radius)
 {
     static const double wrong_radius[4] = {0, -1, -0.0, 1.0000001e307};
@@ -974,6 +991,7 @@ int main(void)
     PROVE(a_rank_is_not_negative);
     PROVE(the_blame_may_be_left_out);
     PROVE(what_overflows_is_not_finite);
+    PROVE(what_is_as_long_as_a_double_can_say_has_no_room_for_rounding);
     PROVE(a_sphere_has_a_centre_antipodes_and_a_positive_radius);
     PROVE(areas_say_what_is_wrong_with_corners_and_take_either_orientation);
     PROVE(normals_need_a_direction_that_no_edge_has);

@@ -197,8 +197,8 @@ static void widest_view(const picture *g, double direction[3])
         if (g->corner[i] < least[k]) least[k] = g->corner[i];
         if (g->corner[i] > most[k]) most[k] = g->corner[i];
     }
-    for (k = 2; k-- > 0;)
-        if (most[k] - least[k] < most[best] - least[best]) best = k;
+    for (k = 2; k > 0; --k)
+        if (most[k - 1] - least[k - 1] < most[best] - least[best]) best = k - 1;
     for (k = 0; k < 3; ++k) direction[k] = k == best ? 1 : 0;
 }
 
