@@ -61,7 +61,7 @@ $(BUILD)/%: examples/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
-# The implementation is compiled once for all tests but two, which look inside, and for the pictures.
+# The implementation is compiled once for all tests but two, which look inside, for the paper and for the pictures.
 $(BUILD)/surfmink.o: surfmink.h
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTATION $(CPPFLAGS) -I. $(CFLAGS) -x c -c $< -o $@
@@ -73,9 +73,8 @@ $(BUILD)/test_batch $(BUILD)/test_gradient: $(BUILD)/%: tests/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
-$(BUILD)/paper_%: examples/paper/%.c $(headers)
-	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
+$(BUILD)/paper_%: examples/paper/%.c $(BUILD)/surfmink.o $(headers)
+	$(CC) -std=c99 -DSURFMINK_IMPLEMENTED $(CPPFLAGS) -I. $(CFLAGS) $< $(BUILD)/surfmink.o -o $@ $(LDFLAGS) $(LDLIBS)
 
 $(BUILD)/theory_%: examples/theory/%.c $(BUILD)/surfmink.o $(headers)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTED $(CPPFLAGS) -I. $(CFLAGS) $< $(BUILD)/surfmink.o -o $@ $(LDFLAGS) $(LDLIBS)

@@ -34,6 +34,7 @@ wall="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-
       -Wcast-align -Wwrite-strings -Wvla -Wfloat-conversion"
 wall=$(echo $wall)
 wall_c="$wall -Wstrict-prototypes -Wmissing-prototypes"
+declared="-DSURFMINK_IMPLEMENTED" # for programs around the header, whose implementation has been looked at by itself
 gcc32="gcc -m32 -static -isystem /usr/include/x86_64-linux-gnu" # not gcc-multilib, which drives out the others
 arm64="aarch64-linux-gnu-gcc -static"
 s390x="s390x-linux-gnu-gcc -static"
@@ -182,16 +183,26 @@ check "freestanding, with libm replaced" "
 
 # --- the programs around it -------------------------------------------------------------------------------------------
 for program in examples/*.c examples/paper/*.c; do
-    check "gcc, $program" "gcc -std=c99 $wall_c -O1 -I. -c $program -o $here/program.o"
-    check "clang, $program" "clang -std=c99 $wall_c -I. -c $program -o $here/program.o"
+    check "gcc, $program" "gcc -std=c99 $wall_c -O1 $declared -I. -c $program -o $here/program.o"
+    check "clang, $program" "clang -std=c99 $wall_c $declared -I. -c $program -o $here/program.o"
 done
+
+# object FLAGS...: $object is what a program needs that these flags compile: the implementation, compiled once for all of
+# them. using PROGRAM: $using is that, or nothing for a program that looks inside.
+objects=$work/objects
+mkdir -p "$objects"
+inside=$(grep -l 'surfmink__' tests/test_*.c tests/fuzz/*.c)
+object() {
+    name=$(echo "$*" | cksum | tr ' ' -)
+    object="$declared $objects/$name.o"
+    echo "$* -std=c99 -DSURFMINK_IMPLEMENTATION -I. -x c -c surfmink.h -o $objects/$name.o" > "$objects/$name.sh"
+}
+using() {
+    case " $(echo $inside) " in *" $1 "*) using= ;; *) using=$object ;; esac
+}
 
 # theorems PROGRAMS FEWER RUNNER COMPILER FLAGS...: the test programs, built by another compiler, with other flags or
 # for another machine; of batches a part. The machines that round like x86-64 (see "determinism") run $some of them.
-# The implementation is compiled once for all of them, but for those that look inside.
-objects=$work/objects
-mkdir -p "$objects"
-inside=$(grep -l 'surfmink__' tests/test_*.c)
 all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
 singles=$(echo "$some" | sed 's|tests/test_batch.c ||')
@@ -199,17 +210,14 @@ singles=$(echo "$some" | sed 's|tests/test_batch.c ||')
 slow='batch|convergence|curve|gradient|long|measure|mesh|paper|surfaces'
 quick=$(echo "$all" | tr ' ' '\n' | grep -vE "test_($slow)" | tr '\n' ' ')
 theorems() {
-    programs=$1 fewer=$2 runner=$3 number_before=$number
+    programs=$1 fewer=$2 runner=$3
     shift 3
+    object "$@"
     for program in $programs; do
-        object="-DSURFMINK_IMPLEMENTED $objects/$number_before.o"
-        case " $(echo $inside) " in *" $program "*) object= ;; esac
-        check "$(short "$*"), $program" "$* -std=c99 -DFEWER=$fewer -I. $program $object -o $here/theorem -lm &&
+        using "$program"
+        check "$(short "$*"), $program" "$* -std=c99 -DFEWER=$fewer -I. $program $using -o $here/theorem -lm &&
             $(quietly "$runner $here/theorem")"
     done
-    [ $number -eq $number_before ] ||
-        echo "$* -std=c99 -DSURFMINK_IMPLEMENTATION -I. -x c -c surfmink.h -o $objects/$number_before.o" \
-            > "$objects/$number_before.sh"
 }
 sanitize="-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow -fno-sanitize-recover=all"
 theorems "$all" 200 "" gcc -O0 $wall_c
@@ -317,19 +325,23 @@ check "big-endian, the command: the same bytes as on arm64" "
 
 # --- static analysis --------------------------------------------------------------------------------------------------
 for unit in "$work/whole.c" examples/*.c; do
-    check "clang-tidy, ${unit##*/}" "$(quietly "clang-tidy-14 --quiet $unit -- -std=c99 -I.")"
+    case $unit in examples/*) only=$declared ;; *) only= ;; esac
+    check "clang-tidy, ${unit##*/}" "$(quietly "clang-tidy-14 --quiet $unit -- -std=c99 $only -I.")"
     check "cppcheck, ${unit##*/}" "
         cppcheck -q --std=c99 --enable=warning,performance,portability --error-exitcode=1 --force \
-            --suppressions-list=.cppcheck -I. $unit"
+            --suppressions-list=.cppcheck $only -I. $unit"
 done
-for unit in "$work/whole.c" examples/levelset.c examples/tissue.c; do
-    check "gcc -fanalyzer, ${unit##*/}" "gcc -std=c99 -O1 -fanalyzer -I. -c $unit -o $here/unit.o"
+check "gcc -fanalyzer, the header" "gcc -std=c99 -O1 -fanalyzer -I. -c $work/whole.c -o $here/unit.o"
+for unit in examples/levelset.c examples/tissue.c; do
+    check "gcc -fanalyzer, ${unit##*/}" "gcc -std=c99 -O1 -fanalyzer $declared -I. -c $unit -o $here/unit.o"
 done
 
 # --- fuzzing, for a moment: the corpus, and random strings made from it -----------------------------------------------
+object clang -O1 -g $sanitize
 for harness in tests/fuzz/*.c; do
     name=$(basename "$harness" .c)
-    check "fuzz $name" "clang -std=c99 -O1 -g $sanitize -I. $harness \
+    using "$harness"
+    check "fuzz $name" "clang -std=c99 -O1 -g $sanitize -I. $harness $using \
         -o $here/fuzz -lm && $(quietly "$here/fuzz --random 1000 tests/fuzz/corpus/$name/*")"
 done
 
@@ -343,7 +355,8 @@ check "worst errors of smooth curves against quadruple precision" "
     gcc -O2 -I. tests/accuracy/curve.c -o $here/curve -lquadmath -lm && $(quietly "$here/curve 20")"
 
 # --- the commands under sanitizers ------------------------------------------------------------------------------------
-gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I."
+object gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. $object"
 check "the command's contract, with sanitizers" "$gcc_sanitize \
     examples/surfmink.c -o $here/surfmink -lm &&
     $(quietly "ASAN_OPTIONS=detect_leaks=0 sh tests/test_pictures.sh $here/surfmink") &&
@@ -394,8 +407,8 @@ check "make pictures: those of docs/theory.md, to the byte" "$(quietly "make -s 
     xmllint --noout .build/pictures/*.svg &&
     for picture in .build/pictures/*.svg; do cmp \$picture docs/pictures/\${picture##*/}; done"
 check "the programs of docs/theory.md: silent" "for program in examples/theory/*.c; do
-        gcc -std=c99 $wall_c -DSURFMINK_IMPLEMENTED -I. -c \$program -o $here/program.o
-        clang -std=c99 $wall_c -DSURFMINK_IMPLEMENTED -I. -c \$program -o $here/program.o
+        gcc -std=c99 $wall_c $declared -I. -c \$program -o $here/program.o
+        clang -std=c99 $wall_c $declared -I. -c \$program -o $here/program.o
     done"
 check "every block of the documentation, with the programs it needs" "
     $(quietly "sh tests/test_docs.sh .build gcc --tools")"
@@ -421,6 +434,9 @@ check "the version stands on line 1 and in the macros" "v=\$(sed -n '1s/.* v\([0
     grep -q \"#define SURFMINK_VERSION  *\\\"\$v\\\"\" surfmink.h"
 
 # --- all of them ------------------------------------------------------------------------------------------------------
+for script in "$objects"/*.sh; do
+    grep -qF "${script%.sh}.o" "$list"/*.sh || rm "$script" # no check needs it
+done
 pool "$objects"
 pool "$list"
 passed=0 failed=0

@@ -6,6 +6,7 @@
    A check that fails prints file, line, expression, got and want, and the theorem goes on; so one run shows all that is
    wrong. CASE says which of many polygons it was, NOTE prints a line of its own. The last line of the program is
    `N passed, N failed`, counted in theorems, and its exit status is 1 if any failed.
+   With -DFEWER=N theorems that try many things try fewer, up to a factor of N: for emulators and sanitizers.
    A theorem that nobody PROVEs is an unused function: the compiler's warning is the check that the list is complete. */
 #ifndef HARNESS_H
 #define HARNESS_H
@@ -15,6 +16,10 @@
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
+
+#ifndef FEWER
+#define FEWER 1
+#endif
 
 #define THEOREM(name) static void name(void)
 #define PROVE(name)   harness_prove(name, #name)

@@ -57,7 +57,11 @@ cut_short() {
     size=$(wc -c < full.tmp) byte=0 untold='' unnoticed=0
     while [ "$byte" -lt "$size" ]; do
         head -c "$byte" full.tmp > "$file"
-        run "$@"
+        if [ $((byte % 4)) -eq 0 ]; then
+            run "$@"
+        else
+            run env ASAN_OPTIONS=detect_leaks=0 "$@" # which takes longer than all the rest
+        fi
         told "$file" || untold="$untold $byte"
         [ "$status" -ne 0 ] || unnoticed=$((unnoticed + 1))
         byte=$((byte + 1))

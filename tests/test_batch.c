@@ -23,9 +23,6 @@
 enum surface { PLANE, SPHERE, EMBEDDED, SURFACES };
 static const char *const surface_name[SURFACES] = {"plane", "sphere", "embedded"};
 
-#ifndef FEWER
-#define FEWER 1 /* outlines, by this factor: for slow machines */
-#endif
 #define STRIDE (1 + FEWER / 20 * 2) /* odd: through what is tried one by one */
 
 /* --- instances ---------------------------------------------------------------------------------------------------- */

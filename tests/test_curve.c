@@ -13,12 +13,9 @@
 #include "shapes.h"
 #include "table.h"
 
-#ifndef FEWER
-#define FEWER 1 /* random curves, by a factor at most so large: for slow machines */
-#endif
 #define P 12
 
-enum { FINEST = 4096, CURVES = FEWER > 100 ? 6 : 30, SOME = FEWER > 100 };
+enum { FINEST = 4096, CURVES = FEWER > 100 ? 6 : 30, ROUNDS = FEWER > 100 ? 3 : 10, SOME = FEWER > 100 };
 
 typedef struct measured {
     double mu[P + 1], error[P + 1], g[2 * P + 2];
@@ -423,7 +420,7 @@ static void disturbed(const exact *e, size_t n, double noise, double tilt, doubl
     o.n = n;
     for (order = 0; order < 2; ++order) {
         off[order] = 0;
-        for (round = 0; round < 10; ++round) {
+        for (round = 0; round < ROUNDS; ++round) {
             chance c = {(uint64_t)round};
             measured m;
             double errors[QUANTITIES];
@@ -435,7 +432,7 @@ static void disturbed(const exact *e, size_t n, double noise, double tilt, doubl
             }
             m = measure(&o, NULL, 2 + 2 * order);
             errors_of(e, &m, 0, 6, errors);
-            off[order] += errors[MU] * errors[MU] / 10;
+            off[order] += errors[MU] * errors[MU] / ROUNDS;
         }
         off[order] = sqrt(off[order]);
     }

@@ -8,9 +8,6 @@
 #include "harness.h"
 #include "shapes.h"
 
-#ifndef FEWER
-#define FEWER 1 /* random outlines, by a factor at most so large: for slow machines */
-#endif
 enum { TRIALS = FEWER > 100 ? 2000 : 12000 };
 
 /* Room for every output of every call. Before each refusal it is filled with a pattern, which has to survive. */

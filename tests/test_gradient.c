@@ -14,9 +14,6 @@
 #include "instances.h"
 #include "shapes.h"
 
-#ifndef FEWER
-#define FEWER 1 /* outlines, by this factor: for slow machines */
-#endif
 #define STRIDE (1 + FEWER / 50) /* through outlines of a batch */
 #ifndef OUTLINES
 #define OUTLINES (300 / FEWER) /* of each surface; more of them find worse ones: docs/beyond.md */

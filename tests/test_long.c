@@ -12,9 +12,6 @@
 
 #define P 12
 
-#ifndef FEWER
-#define FEWER 1 /* slow machines count a hundred thousand as a million */
-#endif
 static const size_t million = FEWER < 50 ? 1000000 : 100000;
 
 static double *room_for(size_t doubles)

@@ -11,9 +11,6 @@
 #include "shapes.h"
 #include "table.h"
 
-#ifndef FEWER
-#define FEWER 1 /* trials, by up to this factor: for slow machines */
-#endif
 #define STRIDE (1 + (FEWER > 100 ? 11 : 0))
 
 static double norm3(const double *a)

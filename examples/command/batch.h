@@ -33,7 +33,8 @@ static int is_full(const batch *b, int max_rank)
            b->count * (size_t)max_rank >= MOST_VALUES;
 }
 
-/* Copies the polygon to the end of the batch. */
+/* Copies the polygon to the end of the batch. It counts when all of it is there: where memory ends, those before it are
+   still measured. */
 static void add_to_batch(batch *b, const polygon *p)
 {
     size_t at = b->offset[b->count], end = at + p->n, stride = stride_of(p->surface), length = strlen(p->id) + 1;
@@ -42,16 +43,16 @@ static void add_to_batch(batch *b, const polygon *p)
     b->corner = (double *)grow(b->corner, &b->corner_room, end * stride, sizeof *b->corner);
     b->line = (unsigned long *)grow(b->line, &b->line_room, end, sizeof *b->line);
     b->id = (char *)grow(b->id, &b->id_room, b->id_length + length, 1);
+    if (p->surface == EMBEDDED) b->normal = (double *)grow(b->normal, &b->normal_room, end * 3, sizeof *b->normal);
     b->polygon[b->count] = *p;
-    b->offset[++b->count] = end;
     memcpy(b->id + b->id_length, p->id, length);
     b->id_length += length;
-    if (p->n == 0) return; /* nor need there be any arrays yet */
-    memcpy(b->corner + at * stride, p->corner, p->n * stride * sizeof *p->corner);
-    memcpy(b->line + at, p->line, p->n * sizeof *p->line);
-    if (p->surface != EMBEDDED) return;
-    b->normal = (double *)grow(b->normal, &b->normal_room, end * 3, sizeof *b->normal);
-    memcpy(b->normal + at * 3, p->normal, p->n * 3 * sizeof *p->normal);
+    if (p->n > 0) { /* else there need not be any arrays yet */
+        memcpy(b->corner + at * stride, p->corner, p->n * stride * sizeof *p->corner);
+        memcpy(b->line + at, p->line, p->n * sizeof *p->line);
+        if (p->surface == EMBEDDED) memcpy(b->normal + at * 3, p->normal, p->n * 3 * sizeof *p->normal);
+    }
+    b->offset[++b->count] = end;
 }
 
 /* The arrays may have moved while they grew: only now the polygons can point into them. */

@@ -100,10 +100,12 @@ static void *resize(void *array, size_t count, size_t size)
 /* Makes room for at least `need` elements; doubling keeps the cost of growing one by one linear. */
 static void *grow(void *array, size_t *room, size_t need, size_t size)
 {
+    size_t more = need > 2 * *room ? need : 2 * *room;
     if (need <= *room) return array;
-    *room = need > 2 * *room ? need : 2 * *room;
-    if (*room < 16) *room = 16;
-    return resize(array, *room, size);
+    if (more < 16) more = 16;
+    array = resize(array, more, size); /* if that ends the run, what is left is written with the room that there is */
+    *room = more;
+    return array;
 }
 
 /* --- numbers into text -------------------------------------------------------------------------------------------- */

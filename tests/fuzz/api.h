@@ -2,7 +2,7 @@
 #ifndef FUZZ_API_H
 #define FUZZ_API_H
 
-#define SURFMINK_STATIC
+#define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 
 #include "fuzz.h"
