@@ -5,38 +5,14 @@
 #ifndef SHAPES_H
 #define SHAPES_H
 
+#include "chance.h"
+
 #include <math.h>
 #include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
 #define PI   3.14159265358979323846
 #define MOST 64 /* corners of a random polygon, at most */
-
-/* --- chance (splitmix64) ------------------------------------------------------------------------------------------ */
-
-typedef struct chance {
-    uint64_t state;
-} chance;
-
-static inline uint64_t chance_bits(chance *c)
-{
-    uint64_t z = c->state += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
-}
-
-static inline double between(chance *c, double low, double high)
-{
-    return low + (high - low) * ((double)(chance_bits(c) >> 11) / 9007199254740992.0);
-}
-
-/* 0 .. count - 1 */
-static inline size_t one_of(chance *c, size_t count)
-{
-    return (size_t)(chance_bits(c) % count);
-}
 
 static inline double power_of_two(int exponent)
 {

@@ -10,6 +10,7 @@
 #include "examples/surfaces/ellipsoid.h"
 #include "examples/surfaces/mesh.h"
 #include "examples/paper/flower.h"
+#include "chance.h"
 #include "harness.h"
 
 #include <stdint.h>
@@ -25,13 +26,11 @@ enum index { SECTION_3, SECTION_4 };
 static const char *const partition_name[PARTITIONS] = {"equal edges", "graded edges", "jittered edges"};
 static const char *const edges_name[2] = {"geodesics", "chords"};
 
-/* A number in [-1, 1] that belongs to two others: chance that every run repeats (splitmix64). */
+/* A number in [-1, 1] that belongs to two others: chance that every run repeats. */
 static double jitter(size_t i, size_t n)
 {
-    uint64_t z = ((uint64_t)n << 32) + (uint64_t)i + UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return (double)((z ^ (z >> 31)) >> 11) / 4503599627370496.0 - 1;
+    chance c = {((uint64_t)n << 32) + (uint64_t)i};
+    return between(&c, -1, 1);
 }
 
 /* Where corner i of n lies, as a fraction of the arc length; corner 0 at 0. */

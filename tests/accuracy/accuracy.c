@@ -29,6 +29,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../chance.h"
 #include "../instances.h"
 
 typedef __float128 quad;
@@ -54,46 +55,20 @@ static const struct {
 
 /* --- chance ------------------------------------------------------------------------------------------------------- */
 
-/* splitmix64: every seed is a good one, so that a polygon is known by its generator and its seed. */
-static uint64_t chance;
-
-static uint64_t next_seed(void)
-{
-    uint64_t z = (chance += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-static double uniform(double low, double high)
-{
-    return low + (high - low) * (double)(next_seed() >> 11) * 0x1p-53;
-}
-
-/* Magnitudes are what breaks things: all of them are equally likely. */
-static double magnitude(double low, double high)
-{
-    return exp(uniform(log(low), log(high)));
-}
-
-static double signed_magnitude(double low, double high)
-{
-    double m = magnitude(low, high);
-    return next_seed() % 2 ? m : -m;
-}
+static chance luck; /* a polygon is known by its generator and its seed */
 
 static int one_in(int cases)
 {
-    return next_seed() % (uint64_t)cases == 0;
+    return chance_bits(&luck) % (uint64_t)cases == 0;
 }
 
 /* Mostly few corners, for there every way to be degenerate is likely; sometimes very many. */
 static size_t corner_count(void)
 {
-    if (one_in(4000)) return (size_t)magnitude(1e4, MAX_CORNERS);
-    if (one_in(200)) return (size_t)magnitude(1e3, 1e4);
-    if (one_in(10)) return (size_t)magnitude(30, 1e3);
-    return (size_t)magnitude(3, 30);
+    if (one_in(4000)) return (size_t)magnitude(&luck, 1e4, MAX_CORNERS);
+    if (one_in(200)) return (size_t)magnitude(&luck, 1e3, 1e4);
+    if (one_in(10)) return (size_t)magnitude(&luck, 30, 1e3);
+    return (size_t)magnitude(&luck, 3, 30);
 }
 
 /* --- outlines of about unit size, in a flat map ------------------------------------------------------------------- */
@@ -109,10 +84,10 @@ static void put(size_t i, double distance, double angle)
 /* Round with noise of any size, down to none. */
 static size_t draw_round(size_t n)
 {
-    double noise = magnitude(1e-17, 0.5), stretch = magnitude(0.05, 1), start = uniform(0, 6.3);
+    double noise = magnitude(&luck, 1e-17, 0.5), stretch = magnitude(&luck, 0.05, 1), start = between(&luck, 0, 6.3);
     size_t i;
     for (i = 0; i < n; ++i) {
-        put(i, 1 + noise * uniform(-1, 1), start + 2 * M_PI * (double)i / (double)n);
+        put(i, 1 + noise * between(&luck, -1, 1), start + 2 * M_PI * (double)i / (double)n);
         shape[2 * i] *= stretch;
     }
     return n;
@@ -122,9 +97,9 @@ static size_t draw_round(size_t n)
 static size_t draw_uneven(size_t n)
 {
     static double gap[MAX_CORNERS];
-    double smallest = magnitude(1e-14, 1), total = 0, angle = 0;
+    double smallest = magnitude(&luck, 1e-14, 1), total = 0, angle = 0;
     size_t i;
-    for (i = 0; i < n; ++i) total += gap[i] = magnitude(smallest, 1);
+    for (i = 0; i < n; ++i) total += gap[i] = magnitude(&luck, smallest, 1);
     for (i = 0; i < n; ++i) {
         put(i, 1, angle);
         angle += 2 * M_PI * gap[i] / total;
@@ -135,19 +110,21 @@ static size_t draw_uneven(size_t n)
 /* Spikes: the distance from the centre jumps from corner to corner. */
 static size_t draw_star(size_t n)
 {
-    double inner = magnitude(1e-12, 1);
+    double inner = magnitude(&luck, 1e-12, 1), angle;
     int random = one_in(2);
     size_t i;
-    for (i = 0; i < n; ++i)
-        put(i, random ? magnitude(inner, 1) : i % 2 ? inner : 1, 2 * M_PI * ((double)i + uniform(0, 0.5)) / (double)n);
+    for (i = 0; i < n; ++i) {
+        angle = 2 * M_PI * ((double)i + between(&luck, 0, 0.5)) / (double)n;
+        put(i, random ? magnitude(&luck, inner, 1) : i % 2 ? inner : 1, angle);
+    }
     return n;
 }
 
 /* Two chains of corners from one end to the other, a hair apart: needles, slivers, hairpins. */
 static size_t draw_needle(size_t n)
 {
-    double width = magnitude(1e-14, 0.3), start = uniform(0, 6.3), x, y;
-    size_t i, there = 1 + (size_t)uniform(0, (double)(n - 2)), back = n - there;
+    double width = magnitude(&luck, 1e-14, 0.3), start = between(&luck, 0, 6.3), x, y;
+    size_t i, there = 1 + (size_t)between(&luck, 0, (double)(n - 2)), back = n - there;
     for (i = 0; i < n; ++i) {
         x = i < there ? (double)i / (double)there : 1 - (double)(i - there) / (double)back;
         y = i < there ? -width * x * (1 - x) : width * (x * (1 - x) + 0.1);
@@ -160,8 +137,8 @@ static size_t draw_needle(size_t n)
 /* A polygon of few corners whose sides are cut unevenly: what lies on a side is straight up to rounding. */
 static size_t draw_sides(size_t n)
 {
-    size_t sides = 3 + (size_t)uniform(0, 4), i, k, next, m = 0;
-    double start = uniform(0, 6.3), cut, angle[2];
+    size_t sides = 3 + (size_t)between(&luck, 0, 4), i, k, next, m = 0;
+    double start = between(&luck, 0, 6.3), cut, angle[2];
     if (n < 2 * sides) n = 2 * sides;
     for (i = 0; i < sides; ++i) {
         angle[0] = start + 2 * M_PI * (double)i / (double)sides;
@@ -209,14 +186,14 @@ static size_t draw_pixels(size_t n)
 /* A coast: midpoints pushed aside again and again. */
 static size_t draw_coast(size_t n)
 {
-    double roughness = uniform(0.02, 0.6);
-    size_t sides = 3 + (size_t)uniform(0, 3), m = sides, i;
+    double roughness = between(&luck, 0.02, 0.6);
+    size_t sides = 3 + (size_t)between(&luck, 0, 3), m = sides, i;
     draw_round(sides);
     while (2 * m <= n) {
         for (i = m; i-- > 0;) {
             double ax = shape[2 * i], ay = shape[2 * i + 1];
             double bx = i + 1 < m ? shape[4 * i + 4] : shape[0], by = i + 1 < m ? shape[4 * i + 5] : shape[1];
-            double push = roughness * uniform(-0.5, 0.5);
+            double push = roughness * between(&luck, -0.5, 0.5);
             shape[4 * i + 2] = (ax + bx) / 2 - push * (by - ay);
             shape[4 * i + 3] = (ay + by) / 2 + push * (bx - ax);
             shape[4 * i] = ax;
@@ -230,7 +207,7 @@ static size_t draw_coast(size_t n)
 /* A band wound up: turns a lot in both directions. */
 static size_t draw_spiral(size_t n)
 {
-    double windings = uniform(0.5, 20), t, r;
+    double windings = between(&luck, 0.5, 20), t, r;
     size_t half = n / 2 + 2, i;
     for (i = 0; i < half; ++i) {
         t = (double)i / (double)(half - 1);
@@ -247,8 +224,8 @@ static size_t draw_any(size_t n)
     size_t i;
     n = 3 + n % 3;
     for (i = 0; i < n; ++i) {
-        shape[2 * i] = one_in(4) ? signed_magnitude(1e-15, 1) : uniform(-1, 1);
-        shape[2 * i + 1] = one_in(4) ? signed_magnitude(1e-15, 1) : uniform(-1, 1);
+        shape[2 * i] = one_in(4) ? signed_magnitude(&luck, 1e-15, 1) : between(&luck, -1, 1);
+        shape[2 * i + 1] = one_in(4) ? signed_magnitude(&luck, 1e-15, 1) : between(&luck, -1, 1);
     }
     return n;
 }
@@ -281,7 +258,7 @@ static void random_frame(double frame[3][3])
     double part;
     int i, j, k;
     for (i = 0; i < 3; ++i) {
-        for (k = 0; k < 3; ++k) frame[i][k] = uniform(-1, 1);
+        for (k = 0; k < 3; ++k) frame[i][k] = between(&luck, -1, 1);
         for (j = 0; j < i; ++j)
             for (part = dot(frame[i], frame[j]), k = 0; k < 3; ++k) frame[i][k] -= part * frame[j][k];
         for (part = sqrt(dot(frame[i], frame[i])), k = 0; k < 3; ++k) frame[i][k] /= part;
@@ -295,11 +272,11 @@ static void random_frame(double frame[3][3])
 
 static void place_on_plane(polygon *o)
 {
-    double unit = one_in(10) ? magnitude(1e-290, 1e290) : 1, x = 0, y = 0;
+    double unit = one_in(10) ? magnitude(&luck, 1e-290, 1e290) : 1, x = 0, y = 0;
     size_t i;
     if (one_in(2)) { /* far away: corners keep the few digits that they have there */
-        x = signed_magnitude(1e-3, 1e12) * o->size;
-        y = signed_magnitude(1e-3, 1e12) * o->size;
+        x = signed_magnitude(&luck, 1e-3, 1e12) * o->size;
+        y = signed_magnitude(&luck, 1e-3, 1e12) * o->size;
     }
     for (i = 0; i < o->n; ++i) {
         o->corner[2 * i] = (x + o->size * shape[2 * i]) * unit;
@@ -309,22 +286,24 @@ static void place_on_plane(polygon *o)
 
 static void place_on_sphere(polygon *o)
 {
-    double frame[3][3], unit = one_in(10) ? magnitude(1e-290, 1e290) : 1, off = one_in(2) ? magnitude(1e-16, 0.9) : 0;
+    double frame[3][3], unit = one_in(10) ? magnitude(&luck, 1e-290, 1e290) : 1,
+                        off = one_in(2) ? magnitude(&luck, 1e-16, 0.9) : 0;
     size_t i;
     int k;
     random_frame(frame);
-    o->radius = one_in(4) ? magnitude(1e-100, 1e100) : 1;
-    if (one_in(20)) o->size = M_PI / 2 - magnitude(1e-12, 1); /* nearly a great circle: curvature near 2 pi */
+    o->radius = one_in(4) ? magnitude(&luck, 1e-100, 1e100) : 1;
+    if (one_in(20)) o->size = M_PI / 2 - magnitude(&luck, 1e-12, 1); /* nearly a great circle: curvature near 2 pi */
     for (i = 0; i < o->n; ++i) {
         double u = shape[2 * i], v = shape[2 * i + 1], r = hypot(u, v), angle = o->size * r;
-        double along = r > 0 ? sin(angle) / r : 0, height = unit * (1 + off * uniform(-1, 1));
+        double along = r > 0 ? sin(angle) / r : 0, height = unit * (1 + off * between(&luck, -1, 1));
         for (k = 0; k < 3; ++k)
             o->corner[3 * i + (size_t)k] =
                 height * (cos(angle) * frame[2][k] + along * (u * frame[0][k] + v * frame[1][k]));
     }
     if (one_in(20)) { /* two neighbours almost opposite */
-        double gap = magnitude(1e-15, 1e-1);
-        for (k = 0; k < 3; ++k) o->corner[3 + k] = -o->corner[k] * uniform(1, 1 + off) + unit * gap * frame[0][k];
+        double gap = magnitude(&luck, 1e-15, 1e-1);
+        for (k = 0; k < 3; ++k)
+            o->corner[3 + k] = -o->corner[k] * between(&luck, 1, 1 + off) + unit * gap * frame[0][k];
     }
 }
 
@@ -332,15 +311,15 @@ static void place_on_sphere(polygon *o)
    normals, steep edges, any magnitude. */
 static void place_in_space(polygon *o)
 {
-    double frame[3][3], local[3], normal[3], unit = one_in(10) ? magnitude(1e-290, 1e290) : 1;
-    double a = one_in(3) ? 0 : uniform(-2, 1), b = one_in(3) ? a : uniform(-2, 1), far = 0;
-    double tilt = one_in(2) ? 0 : magnitude(1e-16, 1), stretch = one_in(4) ? 1e100 : 1, scale;
+    double frame[3][3], local[3], normal[3], unit = one_in(10) ? magnitude(&luck, 1e-290, 1e290) : 1;
+    double a = one_in(3) ? 0 : between(&luck, -2, 1), b = one_in(3) ? a : between(&luck, -2, 1), far = 0;
+    double tilt = one_in(2) ? 0 : magnitude(&luck, 1e-16, 1), stretch = one_in(4) ? 1e100 : 1, scale;
     int cap = one_in(6);
     size_t i;
     int k;
     random_frame(frame);
-    if (one_in(3)) far = signed_magnitude(1e-3, 1e12) * o->size;
-    if (cap && one_in(2)) o->size = M_PI / 2 - magnitude(1e-12, 1);
+    if (one_in(3)) far = signed_magnitude(&luck, 1e-3, 1e12) * o->size;
+    if (cap && one_in(2)) o->size = M_PI / 2 - magnitude(&luck, 1e-12, 1);
     for (i = 0; i < o->n; ++i) {
         double u = o->size * shape[2 * i], v = o->size * shape[2 * i + 1], r = hypot(u, v);
         if (cap) { /* the unit sphere, measured with chords */
@@ -356,9 +335,9 @@ static void place_in_space(polygon *o)
             normal[1] = -b * v;
             normal[2] = 1;
         }
-        for (k = 0; k < 3; ++k) normal[k] += tilt * uniform(-1, 1);
+        for (k = 0; k < 3; ++k) normal[k] += tilt * between(&luck, -1, 1);
         local[0] += far;
-        scale = magnitude(1 / stretch, stretch);
+        scale = magnitude(&luck, 1 / stretch, stretch);
         for (k = 0; k < 3; ++k) {
             o->corner[3 * i + (size_t)k] =
                 unit * (local[0] * frame[0][k] + local[1] * frame[1][k] + local[2] * frame[2][k]);
@@ -367,7 +346,7 @@ static void place_in_space(polygon *o)
         }
     }
     if (one_in(6)) { /* a normal almost along an edge, up to where it is refused */
-        double slope = magnitude(1e-6, 1), edge[3], longest;
+        double slope = magnitude(&luck, 1e-6, 1), edge[3], longest;
         for (k = 0; k < 3; ++k) edge[k] = (o->corner[3 + k] - o->corner[k]) / unit;
         longest = sqrt(dot(edge, edge));
         for (k = 0; k < 3; ++k) o->normal[k] = edge[k] / longest + slope * frame[2][k];
@@ -376,9 +355,9 @@ static void place_in_space(polygon *o)
 
 static void make_polygon(polygon *o, enum surface surface, int which, uint64_t seed)
 {
-    chance = seed;
+    luck.state = seed;
     o->surface = surface;
-    o->size = magnitude(1e-12, 1.5);
+    o->size = magnitude(&luck, 1e-12, 1.5);
     o->radius = 1;
     o->n = generator[which].draw(corner_count());
     if (surface == PLANE) place_on_plane(o);
@@ -693,8 +672,8 @@ static int survey(polygon *o, enum surface surface, uint64_t polygons, uint64_t 
     memset(all, 0, sizeof all);
     memset(top, 0, sizeof top);
     for (k = 0; k < polygons; ++k) {
-        chance = master + k * SURFACES + (uint64_t)surface;
-        seed = next_seed() >> 16; /* short enough to be typed */
+        luck.state = master + k * SURFACES + (uint64_t)surface;
+        seed = chance_bits(&luck) >> 16; /* short enough to be typed */
         i = (int)(k % GENERATORS);
         make_polygon(o, surface, i, seed);
         judge(o, v, 0);

@@ -34,6 +34,8 @@ typedef __float128 quad;
 #include <stdlib.h>
 #include <string.h>
 
+#include "../chance.h"
+
 /* --- instances: the functions of each, as loops over arrays ------------------------------------------------------- */
 
 enum function { ATAN2, TURNS, ARC_ANGLE, FUNCTIONS };
@@ -222,39 +224,14 @@ static void point(double a, double b)
 
 /* --- arguments ---------------------------------------------------------------------------------------------------- */
 
-/* splitmix64 */
-static uint64_t chance;
-
-static uint64_t next_seed(void)
-{
-    uint64_t z = (chance += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-static double uniform(double low, double high)
-{
-    return low + (high - low) * (double)(next_seed() >> 11) * 0x1p-53;
-}
-
-static double magnitude(double low, double high)
-{
-    return exp(uniform(log(low), log(high)));
-}
-
-static double signed_magnitude(double low, double high)
-{
-    double m = magnitude(low, high);
-    return next_seed() % 2 ? m : -m;
-}
+static chance luck;
 
 /* A ratio in all eight octants: of ordinary size, or of any at which neither leg is beyond 1e-150 or 1e150. */
 static void octants(double ratio)
 {
-    double room = ratio > 1e-300 ? ratio : 1e-300, high = magnitude(1, 2), low;
+    double room = ratio > 1e-300 ? ratio : 1e-300, high = magnitude(&luck, 1, 2), low;
     int octant;
-    if (next_seed() % 2) high = magnitude(1e-150 / room < 1e150 ? 1e-150 / room : 1e150, 1e150);
+    if (chance_bits(&luck) % 2) high = magnitude(&luck, 1e-150 / room < 1e150 ? 1e-150 / room : 1e150, 1e150);
     low = ratio * high;
     for (octant = 0; octant < 8; ++octant) {
         double y = octant & 1 ? high : low, x = octant & 1 ? low : high;
@@ -268,12 +245,12 @@ static void try_atan2(void)
     const long grid = 1L << 17, near = 1L << 15;
     long i;
     on_trial = ATAN2;
-    for (i = 0; i < grid; ++i) octants(((double)i + uniform(0, 1)) / (double)grid);
+    for (i = 0; i < grid; ++i) octants(((double)i + between(&luck, 0, 1)) / (double)grid);
     for (i = 0; i < near; ++i) {
-        octants(magnitude(1e-300, 1));
-        octants(magnitude(1e-17, 1));
-        octants(1 - magnitude(1e-17, 0.5));
-        octants(0.41421356237309503 + signed_magnitude(1e-17, 0.4));
+        octants(magnitude(&luck, 1e-300, 1));
+        octants(magnitude(&luck, 1e-17, 1));
+        octants(1 - magnitude(&luck, 1e-17, 0.5));
+        octants(0.41421356237309503 + signed_magnitude(&luck, 1e-17, 0.4));
     }
     flush_points();
 }
@@ -284,12 +261,12 @@ static void try_turns(void)
     const long grid = 1L << 19, near = 1L << 17;
     long i;
     on_trial = TURNS;
-    for (i = -grid; i < grid; ++i) point(4 * ((double)i + uniform(0, 1)) / (double)grid, 0);
+    for (i = -grid; i < grid; ++i) point(4 * ((double)i + between(&luck, 0, 1)) / (double)grid, 0);
     for (i = 0; i < near; ++i) {
-        point((double)(next_seed() % 63) / 8 - 3.875 + signed_magnitude(1e-18, 0.0625), 0);
-        point(signed_magnitude(1e-300, 4), 0);
-        point(signed_magnitude(4, 0x1p40), 0);
-        point(rint(signed_magnitude(32, 0x1p43)) / 8, 0);
+        point((double)(chance_bits(&luck) % 63) / 8 - 3.875 + signed_magnitude(&luck, 1e-18, 0.0625), 0);
+        point(signed_magnitude(&luck, 1e-300, 4), 0);
+        point(signed_magnitude(&luck, 4, 0x1p40), 0);
+        point(rint(signed_magnitude(&luck, 32, 0x1p43)) / 8, 0);
     }
     flush_points();
 }
@@ -307,10 +284,10 @@ static void try_arc_angle(void)
     const long grid = 1L << 18, near = 1L << 17;
     long i;
     on_trial = ARC_ANGLE;
-    for (i = 0; i < grid; ++i) chord(((double)i + uniform(0, 1)) / (double)grid);
+    for (i = 0; i < grid; ++i) chord(((double)i + between(&luck, 0, 1)) / (double)grid);
     for (i = 0; i < near; ++i) {
-        chord(magnitude(1e-160, 1));
-        chord(1 - magnitude(1e-17, 0.1));
+        chord(magnitude(&luck, 1e-160, 1));
+        chord(1 - magnitude(&luck, 1e-17, 0.1));
     }
     chord(1);
     flush_points();
@@ -491,7 +468,7 @@ int main(int argc, char **argv)
     int failed;
     if (argc == 2 && !strcmp(argv[1], "--coefficients")) return print_coefficients();
     if (argc == 3 && !strcmp(argv[1], "--seed"))
-        chance = strtoull(argv[2], NULL, 10);
+        luck.state = strtoull(argv[2], NULL, 10);
     else if (argc > 1) {
         fprintf(stderr, "usage: kernels [--seed S | --coefficients]\n");
         return 2;
