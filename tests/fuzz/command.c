@@ -58,6 +58,9 @@ static void fuzz(bytes in)
     if (!world_begin(in)) return;
     for (i = 1; i < world.words; ++i)
         texts |= strcmp(world.word[i], "--help") == 0 || strcmp(world.word[i], "--version") == 0;
+    world.silent = 0;
+    for (i = 1; i < world.words; ++i)
+        if (strcmp(world.word[i], "--quiet") == 0) world.silent = EXIT_REFUSED; /* or a file or a title of that name */
     progress_is_shown = 0;
     held_back.write = NULL; /* of a run that ended early */
     status = world_run(command_main);
