@@ -29,6 +29,11 @@ static inline size_t one_of(chance *c, size_t count)
     return (size_t)(chance_bits(c) % count);
 }
 
+static inline int one_in(chance *c, size_t cases)
+{
+    return one_of(c, cases) == 0;
+}
+
 /* Magnitudes are what breaks things: all of them are equally likely. */
 static inline double magnitude(chance *c, double low, double high)
 {

@@ -427,17 +427,6 @@ enum { LONGEST = 5000 };
 
 static double shape[2 * LONGEST];
 
-/* All magnitudes are equally likely. */
-static double magnitude(chance *c, double low, double high)
-{
-    return exp(between(c, log(low), log(high)));
-}
-
-static int one_in(chance *c, size_t cases)
-{
-    return one_of(c, cases) == 0;
-}
-
 static void put(size_t i, double distance_, double angle)
 {
     shape[2 * i] = distance_ * cos(angle);

@@ -277,31 +277,31 @@ THEOREM(turns_add_up_to_the_curvature_passed)
 }
 
 /* Moves points and tilts normals, by errors that vary smoothly along the curve or from corner to corner by chance. */
-static void disturb(polygon *q, int chance, double tilt, double shift)
+static void disturb(polygon *q, int by_chance, double tilt, double shift)
 {
     size_t i;
     int k;
     for (i = 0; i < q->n; ++i)
         for (k = 0; k < 3; ++k) {
             q->normal[3 * i + (size_t)k] +=
-                tilt * (chance ? jitter(7 * i + (size_t)k, q->n) : sin((2 + k) * q->t[i] + k));
+                tilt * (by_chance ? jitter(7 * i + (size_t)k, q->n) : sin((2 + k) * q->t[i] + k));
             q->corner[3 * i + (size_t)k] +=
-                shift * (chance ? jitter(7 * i + (size_t)k + 3, q->n) : cos((3 - k) * q->t[i] + 2 * k));
+                shift * (by_chance ? jitter(7 * i + (size_t)k + 3, q->n) : cos((3 - k) * q->t[i] + 2 * k));
         }
 }
 
 /* Errors at all levels if normals are off by tilt h^t and points by shift h^s, where h is the mean edge. */
-static void measure_disturbed(enum partition kind, int chance, double tilt, int t, double shift, int s, errors *off)
+static void measure_disturbed(enum partition kind, int by_chance, double tilt, int t, double shift, int s, errors *off)
 {
     static polygon q;
     double h;
     int level;
-    CASE("%s, %s errors, normals %g h^%d, points %g h^%d", partition_name[kind], chance ? "chance" : "smooth", tilt, t,
-         shift, s);
+    CASE("%s, %s errors, normals %g h^%d, points %g h^%d", partition_name[kind], by_chance ? "chance" : "smooth", tilt,
+         t, shift, s);
     for (level = 0; level < LEVELS; ++level) {
         place(&q, kind, (size_t)COARSEST << level);
         h = exact_flower()->length / (double)q.n;
-        disturb(&q, chance, tilt * pow(h, t), shift * pow(h, s));
+        disturb(&q, by_chance, tilt * pow(h, t), shift * pow(h, s));
         join(&q, CHORDS);
         judge(&q, SECTION_3, &off[level]);
     }

@@ -57,17 +57,12 @@ static const struct {
 
 static chance luck; /* a polygon is known by its generator and its seed */
 
-static int one_in(int cases)
-{
-    return chance_bits(&luck) % (uint64_t)cases == 0;
-}
-
 /* Mostly few corners, for there every way to be degenerate is likely; sometimes very many. */
 static size_t corner_count(void)
 {
-    if (one_in(4000)) return (size_t)magnitude(&luck, 1e4, MAX_CORNERS);
-    if (one_in(200)) return (size_t)magnitude(&luck, 1e3, 1e4);
-    if (one_in(10)) return (size_t)magnitude(&luck, 30, 1e3);
+    if (one_in(&luck, 4000)) return (size_t)magnitude(&luck, 1e4, MAX_CORNERS);
+    if (one_in(&luck, 200)) return (size_t)magnitude(&luck, 1e3, 1e4);
+    if (one_in(&luck, 10)) return (size_t)magnitude(&luck, 30, 1e3);
     return (size_t)magnitude(&luck, 3, 30);
 }
 
@@ -111,7 +106,7 @@ static size_t draw_uneven(size_t n)
 static size_t draw_star(size_t n)
 {
     double inner = magnitude(&luck, 1e-12, 1), angle;
-    int random = one_in(2);
+    int random = one_in(&luck, 2);
     size_t i;
     for (i = 0; i < n; ++i) {
         angle = 2 * M_PI * ((double)i + between(&luck, 0, 0.5)) / (double)n;
@@ -224,8 +219,8 @@ static size_t draw_any(size_t n)
     size_t i;
     n = 3 + n % 3;
     for (i = 0; i < n; ++i) {
-        shape[2 * i] = one_in(4) ? signed_magnitude(&luck, 1e-15, 1) : between(&luck, -1, 1);
-        shape[2 * i + 1] = one_in(4) ? signed_magnitude(&luck, 1e-15, 1) : between(&luck, -1, 1);
+        shape[2 * i] = one_in(&luck, 4) ? signed_magnitude(&luck, 1e-15, 1) : between(&luck, -1, 1);
+        shape[2 * i + 1] = one_in(&luck, 4) ? signed_magnitude(&luck, 1e-15, 1) : between(&luck, -1, 1);
     }
     return n;
 }
@@ -272,9 +267,9 @@ static void random_frame(double frame[3][3])
 
 static void place_on_plane(polygon *o)
 {
-    double unit = one_in(10) ? magnitude(&luck, 1e-290, 1e290) : 1, x = 0, y = 0;
+    double unit = one_in(&luck, 10) ? magnitude(&luck, 1e-290, 1e290) : 1, x = 0, y = 0;
     size_t i;
-    if (one_in(2)) { /* far away: corners keep the few digits that they have there */
+    if (one_in(&luck, 2)) { /* far away: corners keep the few digits that they have there */
         x = signed_magnitude(&luck, 1e-3, 1e12) * o->size;
         y = signed_magnitude(&luck, 1e-3, 1e12) * o->size;
     }
@@ -286,13 +281,14 @@ static void place_on_plane(polygon *o)
 
 static void place_on_sphere(polygon *o)
 {
-    double frame[3][3], unit = one_in(10) ? magnitude(&luck, 1e-290, 1e290) : 1,
-                        off = one_in(2) ? magnitude(&luck, 1e-16, 0.9) : 0;
+    double frame[3][3], unit = one_in(&luck, 10) ? magnitude(&luck, 1e-290, 1e290) : 1,
+                        off = one_in(&luck, 2) ? magnitude(&luck, 1e-16, 0.9) : 0;
     size_t i;
     int k;
     random_frame(frame);
-    o->radius = one_in(4) ? magnitude(&luck, 1e-100, 1e100) : 1;
-    if (one_in(20)) o->size = M_PI / 2 - magnitude(&luck, 1e-12, 1); /* nearly a great circle: curvature near 2 pi */
+    o->radius = one_in(&luck, 4) ? magnitude(&luck, 1e-100, 1e100) : 1;
+    if (one_in(&luck, 20))
+        o->size = M_PI / 2 - magnitude(&luck, 1e-12, 1); /* nearly a great circle: curvature near 2 pi */
     for (i = 0; i < o->n; ++i) {
         double u = shape[2 * i], v = shape[2 * i + 1], r = hypot(u, v), angle = o->size * r;
         double along = r > 0 ? sin(angle) / r : 0, height = unit * (1 + off * between(&luck, -1, 1));
@@ -300,7 +296,7 @@ static void place_on_sphere(polygon *o)
             o->corner[3 * i + (size_t)k] =
                 height * (cos(angle) * frame[2][k] + along * (u * frame[0][k] + v * frame[1][k]));
     }
-    if (one_in(20)) { /* two neighbours almost opposite */
+    if (one_in(&luck, 20)) { /* two neighbours almost opposite */
         double gap = magnitude(&luck, 1e-15, 1e-1);
         for (k = 0; k < 3; ++k)
             o->corner[3 + k] = -o->corner[k] * between(&luck, 1, 1 + off) + unit * gap * frame[0][k];
@@ -311,15 +307,15 @@ static void place_on_sphere(polygon *o)
    normals, steep edges, any magnitude. */
 static void place_in_space(polygon *o)
 {
-    double frame[3][3], local[3], normal[3], unit = one_in(10) ? magnitude(&luck, 1e-290, 1e290) : 1;
-    double a = one_in(3) ? 0 : between(&luck, -2, 1), b = one_in(3) ? a : between(&luck, -2, 1), far = 0;
-    double tilt = one_in(2) ? 0 : magnitude(&luck, 1e-16, 1), stretch = one_in(4) ? 1e100 : 1, scale;
-    int cap = one_in(6);
+    double frame[3][3], local[3], normal[3], unit = one_in(&luck, 10) ? magnitude(&luck, 1e-290, 1e290) : 1;
+    double a = one_in(&luck, 3) ? 0 : between(&luck, -2, 1), b = one_in(&luck, 3) ? a : between(&luck, -2, 1), far = 0;
+    double tilt = one_in(&luck, 2) ? 0 : magnitude(&luck, 1e-16, 1), stretch = one_in(&luck, 4) ? 1e100 : 1, scale;
+    int cap = one_in(&luck, 6);
     size_t i;
     int k;
     random_frame(frame);
-    if (one_in(3)) far = signed_magnitude(&luck, 1e-3, 1e12) * o->size;
-    if (cap && one_in(2)) o->size = M_PI / 2 - magnitude(&luck, 1e-12, 1);
+    if (one_in(&luck, 3)) far = signed_magnitude(&luck, 1e-3, 1e12) * o->size;
+    if (cap && one_in(&luck, 2)) o->size = M_PI / 2 - magnitude(&luck, 1e-12, 1);
     for (i = 0; i < o->n; ++i) {
         double u = o->size * shape[2 * i], v = o->size * shape[2 * i + 1], r = hypot(u, v);
         if (cap) { /* the unit sphere, measured with chords */
@@ -345,7 +341,7 @@ static void place_in_space(polygon *o)
                 scale * (normal[0] * frame[0][k] + normal[1] * frame[1][k] + normal[2] * frame[2][k]);
         }
     }
-    if (one_in(6)) { /* a normal almost along an edge, up to where it is refused */
+    if (one_in(&luck, 6)) { /* a normal almost along an edge, up to where it is refused */
         double slope = magnitude(&luck, 1e-6, 1), edge[3], longest;
         for (k = 0; k < 3; ++k) edge[k] = (o->corner[3 + k] - o->corner[k]) / unit;
         longest = sqrt(dot(edge, edge));

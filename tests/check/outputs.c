@@ -33,7 +33,10 @@ double own_sine(double x), own_cosine(double x), own_angle(double y, double x);
 #include <stdlib.h>
 #include <string.h>
 
-enum { OUTLINES = 1500, CORNERS = 400, RANK = 12, STEP_RANK = 5 };
+#ifndef OUTLINES
+#define OUTLINES 1500 /* fewer for emulators */
+#endif
+enum { CORNERS = 400, RANK = 12, STEP_RANK = 5 };
 enum { NUMBERS = 5 + 3 * RANK + RANK }; /* of a measured outline: the functionals; mu, g and theta of ranks 1 to RANK */
 
 /* --- functions that round in the same way everywhere -------------------------------------------------------------- */
