@@ -283,14 +283,14 @@ same "of single calls, whatever the instructions" '^[^b]' ":gcc $own -O1" ":gcc 
 # near WITHIN OPTIONS RUNNER COMPILER...: where bits differ, the same statuses, and numbers within WITHIN (1 + c)
 for outlines in 500 1500; do
     echo "gcc -std=c99 -O2 -DOUTLINES=$outlines -I. tests/check/outputs.c -o $here/outputs -lm &&
-        $here/outputs --write $objects/numbers-$outlines > /dev/null" > "$objects/numbers-$outlines.sh"
+        $here/outputs --write $here/numbers > /dev/null" > "$objects/numbers-$outlines.sh"
 done
 near() {
     within=$1 options=$2 runner=$3
     shift 3
     outlines "$runner"
     check "within $within, $* $options" "$* -DOUTLINES=$outlines -I. tests/check/outputs.c -o $here/outputs -lm &&
-        $(quietly "$runner $here/outputs --compare $objects/numbers-$outlines $within $options")"
+        $(quietly "$runner $here/outputs --compare $objects/numbers-$outlines/numbers $within $options")"
 }
 near 1e-14 --doubles "" gcc -Ofast
 near 1e-14 --doubles "" gcc -Ofast -march=native

@@ -561,9 +561,10 @@ int main(int argc, char **argv)
     int i, directions = 0, same = 1;
     for (i = 0; i < OUTLINES; ++i) make_outline(shape + i, i);
     for (i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--write") == 0 && i + 1 < argc)
+        if (strcmp(argv[i], "--write") == 0 && i + 1 < argc) {
             to = fopen(argv[++i], "wb");
-        else if (strcmp(argv[i], "--compare") == 0 && i + 2 < argc) {
+            if (!to) return printf("%s: cannot be written\n", argv[i]), 2;
+        } else if (strcmp(argv[i], "--compare") == 0 && i + 2 < argc) {
             from = fopen(argv[++i], "rb");
             within = strtod(argv[++i], NULL);
             if (!from) return printf("%s: cannot be read\n", argv[i - 1]), 2;
