@@ -12,7 +12,7 @@
 
 #define P 12
 
-static const size_t million = FEWER < 50 ? 1000000 : 100000;
+static const size_t million = FEWER < 50 ? 1000000 : FEWER < 1000 ? 100000 : 30000;
 
 static double *room_for(size_t doubles)
 {

@@ -546,20 +546,22 @@ THEOREM(the_torus_triangles_of_the_paper_have_the_printed_lengths_angles_and_mu)
         corner[2] = 1.55, corner[3] = table_number(&t, "theta2_over_pi") * PI;
         corner[4] = 3.1, corner[5] = PI;
         CASE("theta_2 = %s pi", table_text(&t, "theta2_over_pi"));
-        CHECK_OK(surfmink_edges_surface(&unrolled, corner, 3, scratch, length, turning, NULL));
-        CHECK_OK(surfmink_phases(turning, 3, SURFMINK_CORRECTED, phase));
-        CHECK_OK(surfmink_irreducible(length, phase, 3, 6, g));
-        CHECK_OK(surfmink_spectrum(g, 6, NULL, mu, NULL));
-        for (i = 0; i < 3; ++i) {
-            CHECK_NEAR(length[i], table_number(&t, l[i]), 2.5e-12);
-            CHECK_NEAR(turning[i], table_number(&t, alpha[i]), 2.5e-12);
-        }
-        CHECK_NEAR(length[0], length[1], 1e-13);
-        CHECK_CLOSE(length[2], 3.1 * 0.625, 1e-14); /* along the inner ring */
-        for (p = 2; p <= 6; ++p) {
-            char name[8];
-            sprintf(name, "mu%d", p);
-            CHECK_NEAR(mu[p], table_number(&t, name), 2.5e-12);
+        if (rows % STRIDE == 0) {
+            CHECK_OK(surfmink_edges_surface(&unrolled, corner, 3, scratch, length, turning, NULL));
+            CHECK_OK(surfmink_phases(turning, 3, SURFMINK_CORRECTED, phase));
+            CHECK_OK(surfmink_irreducible(length, phase, 3, 6, g));
+            CHECK_OK(surfmink_spectrum(g, 6, NULL, mu, NULL));
+            for (i = 0; i < 3; ++i) {
+                CHECK_NEAR(length[i], table_number(&t, l[i]), 2.5e-12);
+                CHECK_NEAR(turning[i], table_number(&t, alpha[i]), 2.5e-12);
+            }
+            CHECK_NEAR(length[0], length[1], 1e-13);
+            CHECK_CLOSE(length[2], 3.1 * 0.625, 1e-14); /* along the inner ring */
+            for (p = 2; p <= 6; ++p) {
+                char name[8];
+                sprintf(name, "mu%d", p);
+                CHECK_NEAR(mu[p], table_number(&t, name), 2.5e-12);
+            }
         }
         /* The same geodesic continued from one triangle to the next, from theta_2 = 0.9 pi on. */
         surfmink_torus_point(radius, corner[0], corner[1], x);
@@ -683,7 +685,7 @@ THEOREM(the_chart_of_the_torus_chooses_how_often_an_edge_goes_round)
             CHECK_NEAR(end[0], to[0], 1e-12);
             CHECK_NEAR(end[1], to[1], 1e-12);
         }
-    for (round = 1; round <= 16; round *= 2) { /* so is the circle round the tube */
+    for (round = 1; round <= (FEWER > 100 ? 4 : 16); round *= 2) { /* so is the circle round the tube */
         CASE("%d rounds of the tube", round);
         to[0] = from[0];
         to[1] = from[1] + round * 2 * PI;
