@@ -397,6 +397,13 @@ static void read_axes(const char *option, const char *text)
     }
 }
 
+/* The exit status, when all is written: some disks say only when a file is closed that they are full. */
+static int finish(void)
+{
+    if (fflush(stdout) || ferror(stdout) || fclose(stdout)) refuse("standard output", strerror(errno));
+    return EXIT_SUCCESS;
+}
+
 int main(int argc, char **argv)
 {
     FILE *log = NULL;
@@ -407,7 +414,7 @@ int main(int argc, char **argv)
         const char *option = argv[i], *value = argv[i + 1]; /* NULL after the last */
         if (strcmp(option, "--help") == 0) {
             fputs(help, stdout);
-            return EXIT_SUCCESS;
+            return finish();
         }
         for (known = 0; known < OPTIONS && strcmp(option, option_name[known]) != 0;) ++known;
         if (known == OPTIONS) refuse(option, "no such option");
@@ -434,6 +441,5 @@ int main(int argc, char **argv)
     final = relax((unsigned long)steps, log);
     if (log && (ferror(log) | fclose(log))) refuse(log_name, "cannot be written");
     write_cells(final);
-    if (fflush(stdout) || ferror(stdout)) refuse("standard output", strerror(errno));
-    return EXIT_SUCCESS;
+    return finish();
 }

@@ -88,4 +88,14 @@ refuses 'cell 1: the corners run clockwise (their turns sum up to less than 0)'
 "$relax" --help > out
 has 'help names the options' out '--reward A'
 
+if [ -w /dev/full ]; then
+    full='relax: standard output: No space left on device (see relax --help)'
+    "$relax" --help > /dev/full 2> err
+    check "help on a full disk" "$? $(cat err)" "1 $full"
+    "$relax" --steps 0 < wild > /dev/full 2> err
+    check "a full disk" "$? $(cat err)" "1 $full"
+    "$relax" --steps 0 --log /dev/full < wild > out 2> err
+    check "a log on a full disk" "$? $(head -c 22 err)" "1 relax: /dev/full: cann"
+fi
+
 totals
