@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_fuzzed.sh: is every public function of surfmink.h fuzzed, by the harness that tests/fuzz/README.md names? And has
-# every harness a corpus, and a row there? Run it from the root of the repository.
+# test_fuzzed.sh: is every public function of surfmink.h fuzzed, and every command, by the harness that
+# tests/fuzz/README.md names? And has every harness a corpus, and a row there? Run it from the root of the repository.
 . tests/harness.sh
 table=tests/fuzz/README.md
 
@@ -16,6 +16,13 @@ for function in $(sed -n 's/^SURFMINK_DEF [^(]*[ *]\(surfmink_[a-z_]*\)(.*/\1/p'
     check "$function stands in the table" "${row:+yes}" yes
     check "$function: the table names a harness" "${named:+yes}" yes
     check "$function: a harness that the table names calls it" "${calling:+yes}" yes
+done
+for command in examples/*.c; do
+    calling=''
+    for harness in $(grep -F "| $command" $table | cut -d '|' -f 3 | tr -cs 'a-z_' ' '); do
+        grep -qF "\"$command\"" "tests/fuzz/$harness.c" && calling=$harness
+    done
+    check "$command: a harness that the table names runs it" "${calling:+yes}" yes
 done
 for harness in tests/fuzz/*.c; do
     name=$(basename "$harness" .c)
