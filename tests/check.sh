@@ -248,6 +248,7 @@ for flags in "-O2" "-Ofast -march=native"; do
 done
 
 # --- determinism: the same bits, or nearly the same numbers -----------------------------------------------------------
+# outlines TEXT: $outlines, how many that run takes.
 outlines() {
     case $1 in *qemu*) outlines=500 ;; *) outlines=1500 ;; esac
 }

@@ -12,6 +12,7 @@
 
 #define P 12
 
+/* So many count as a million: fewer on slow machines. */
 static const size_t million = FEWER < 50 ? 1000000 : FEWER < 1000 ? 100000 : 30000;
 
 static double *room_for(size_t doubles)
