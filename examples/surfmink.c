@@ -137,7 +137,7 @@ static void check_surface(const run *r, const reader *in, const char *name)
     const options *o = &r->options;
     int surface = in->surface;
     int first = r->surface == AS_THE_COLUMNS_SAY;
-    if (o->order == 4 && in->is_mesh && surface == EMBEDDED)
+    if (o->order == 4 && in->mesh.mean)
         die("%s: --order 4 needs exact normals, and those of a mesh are means; --surface tells another surface", name);
     if (o->radius > 0 && surface != SPHERE) die("%s: --radius is for spheres, and this is none", name);
     if (o->views > 0 && surface == PLANE) die("%s: --view is for surfaces in space, and this is a plane", name);
@@ -177,6 +177,7 @@ static void begin_run(run *r, int argc, char **argv)
     begin_summary(&r->summary, r->options.max_rank);
     held_back.write = process_batch;
     held_back.context = r;
+    says_nothing = r->options.quiet;
     r->surface = AS_THE_COLUMNS_SAY;
     r->watched = is_watched(&r->options);
     r->started = r->shown = time(NULL);

@@ -482,7 +482,7 @@ measured "a pipe that yields byte by byte" n "3 3"
     printf 'b 0 1'
 } > in
 cat in | "$surfmink" > out 2> err
-has "a line of a megabyte, and its successors" err "-:7: a polygon"
+has "a line of a megabyte, and its successors" err "-:7: b: a polygon"
 square > in
 printf 'b 0 0\nb 0\0 1\n' >> in
 run
@@ -657,33 +657,148 @@ mesh() {
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n'
 stopped "an index too large" "bad.off:6: there is no vertex 3"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n'
-stopped "a negative index" "bad.off:6: '-1' is not the index of a vertex"
+stopped "a negative index" "bad.off:6: there is no vertex -1"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n'
 stopped "a face cut short" "bad.off:6: 4 corners are announced, 3 follow"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2 \n'
 stopped "a face cut short, before a blank" "bad.off:6: 4 corners are announced, 3 follow"
 mesh 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'
-stopped "a face too few" "bad.off:6: the file ends before face 1"
+stopped "a face too few" "bad.off:6: the file ends after 1 of 2 faces"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n'
-stopped "a vertex too few" "bad.off:4: the file ends before vertex 2"
+stopped "a vertex too few" "bad.off:4: the file ends after 2 of 3 vertices"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2\n'
-stopped "a face too many" "bad.off:7: a line after the last of 1 faces"
+stopped "a face too many" "bad.off:7: expected the end of the file after its last face"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n'
-stopped "half a vertex" "bad.off:4: a vertex needs x y z"
+stopped "half a vertex" "bad.off:4: expected a number z, the line ends"
 mesh 'OFF\n3 1 0\n0 0 0\n1 0 z\n0 1 0\n3 0 1 2\n'
-stopped "no number" "bad.off:4: 'z' is not a number"
+stopped "no number" "bad.off:4: expected a number z, got 'z'"
 mesh 'OFF\nmany 1 0\n'
-stopped "no count" "bad.off:2: 'many' is not the number of vertices"
+stopped "no count" "bad.off:2: expected the numbers of vertices and faces, got 'many 1 0'"
 mesh 'OFF\n99999999999999999999 1 0\n'
-stopped "a count too large" "bad.off:2: '99999999999999999999' is not the number of vertices"
+stopped "a count too large" "bad.off:2: expected the numbers of vertices and faces"
 mesh 'OFF\n4000000000000 1 0\n0 0 0\n'
-stopped "a count without vertices takes no memory" "bad.off:3: the file ends before vertex 1"
+stopped "a count without vertices takes no memory" "bad.off:3: the file ends after 1 of 4000000000000 vertices"
 mesh 'ply\n'
-stopped "no mesh" "bad.off:1: a mesh begins with OFF"
+stopped "half a header" "bad.off:1: the file ends before end_header"
+mesh 'nothing\n'
+stopped "no mesh" "bad.off:1: expected a mesh: OFF, OBJ, PLY, STL or legacy VTK, got 'nothing'"
 mesh 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n2 0 1\n'
 check "refused faces: exit status" "$status" 2
 check "refused faces" "$(column status)" "not_finite too_few_corners"
 has "refused faces: line" err "bad.off:7: "
+
+# The cube, from other formats, by any name and through a pipe: the same numbers.
+run cube.off
+cp out expected
+awk 'NR > 3 && NF > 2 && !/^#/ && ++n <= 8 { print "v", $1, $2, $3; next }
+     n >= 8 && !/^#/ { print "f", $2 + 1 "//1", $3 + 1 "//1", $4 + 1 "//1", $5 + 1 "//1" }' cube.off > body.obj
+{ echo '# made by hand' && cat body.obj && echo 'vn 0 0 1'; } | sed 's|//1||g' > cube.obj
+{
+    printf '# vtk DataFile Version 3.0\ncube\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n'
+    awk '$1 == "v" { print $2, $3, $4 }' cube.obj
+    printf 'POLYGONS 6 30\n'
+    awk '$1 == "f" { print 4, $2 - 1, $3 - 1, $4 - 1, $5 - 1 }' cube.obj
+} > cube.vtk
+{
+    printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n'
+    printf 'element face 6\nproperty list uchar int vertex_indices\nend_header\n'
+    sed '1,5d; /^POLYGONS/d' cube.vtk
+} > cube.ply
+for mesh in cube.obj cube.vtk cube.ply; do
+    run $mesh
+    check "$mesh is the same cube" "$status $(cat err out)" "0 $(cat expected)"
+    cp $mesh in
+    run
+    check "$mesh through a pipe" "$status $(cat err out)" "0 $(cat expected)"
+    cp $mesh body.txt
+    run body.txt
+    check "$mesh by another name" "$status $(cat err out)" "0 $(cat expected)"
+done
+cp cube.off in
+run
+check "cube.off through a pipe" "$status $(cat err out)" "0 $(cat expected)"
+dd bs=1 if=cube.off 2> /dev/null | "$surfmink" > out 2> err
+check "cube.off byte by byte" "$? $(cat err out)" "0 $(cat expected)"
+awk '$1 == "f" { for (k = 2; k < 6; ++k) $k = $k "//" n + 1; ++n } { print }' cube.obj > flat.obj
+printf 'vn 0 0 -1\nvn 0 0 1\nvn 0 -2 0\nvn 1 0 0\nvn 0 1 0\nvn -1 0 0\n' | cat - flat.obj > in
+run
+measured "normals of facets" n "4 4 4 4 4 4"
+near "with them each face is a flat square" "$(field 5 S)" 6.283185307179586
+run --order 4
+check "with normals of its own a mesh may be of order 4" "$status" 0
+sed 's|//[0-9]|//1|g' flat.obj | { echo 'vn 0 0 1' && cat -; } > in
+run
+check "normals that contradict the faces are not used" "$status $(cat out)" "0 $(cat expected)"
+check "and that is told" "$(cat err)" \
+    "-: normals that point against face 0 are not used; area-weighted means over the faces are"
+run --quiet
+check "but not with --quiet" "$(cat err)" ""
+
+# Mixed winding: a grid of 4 x 3 unit squares with some of them turned round.
+grid() {
+    awk -v turned="$1" 'BEGIN {
+        print "OFF\n20 12"
+        for (j = 0; j < 4; ++j) for (i = 0; i < 5; ++i) print i, j, 0.1 * i
+        for (j = 0; j < 3; ++j) for (i = 0; i < 4; ++i) {
+            a = 5 * j + i
+            if (index(turned, " " 4 * j + i " ")) print 4, a, a + 5, a + 6, a + 1
+            else print 4, a, a + 1, a + 6, a + 5
+        } }'
+}
+grid '' > in
+run --digits 9
+cp out expected
+grid ' 5 6 11 ' > in
+run --digits 9
+check "faces that run against their neighbours are turned round" "$status $(column status)" \
+    "0 ok ok ok ok ok ok ok ok ok ok ok ok"
+check "and that is told, with the first of them" "$(cat err)" \
+    "-:28: face 5 runs against its neighbours; 3 such faces are turned round"
+check "their mu is that of the others" "$(cut -f 7-12 out)" "$(cut -f 7-12 expected)"
+printf 'OFF\n6 3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 -1 0\n3 0 1 2\n4 1 0 3 4\n3 1 0 5\n' > in
+run
+stopped "an edge with three faces" "-:11: the edge between vertices 0 and 1 (from 0) has 3 faces: not a surface"
+printf 'OFF\n4 3\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2\n3 1 3 2\n3 2 0 1\n' > in
+run
+stopped "a face twice" "-:9: face 2 has the same corners as face 0 (from 0): not a surface; drop one of them"
+printf 'OFF\n6 3\n0 0 0\n2 0 0\n1 1 0\n0 0 1\n2 0 1\n1 1 1\n4 0 1 4 3\n4 1 2 5 4\n4 2 3 5 0\n' |
+    sed 's/^4 2 3 5 0/4 2 3 0 5/' > in
+run
+stopped "one side only" "-:11: the faces at the edge between vertices 2 and 5 (from 0) run opposite ways, and so do others"
+
+# Every facet with corners of its own: their normals are those of the whole surface.
+run cube.off
+near "the normals of a cube's corners" "$(field 1 S)" 4.1887902047863905
+awk '$1 == "v" { v[++n] = $2 " " $3 " " $4 }
+     $1 == "f" { for (k = 2; k < 6; ++k) print "v", v[$k]; print "f", ++c, ++c, ++c, ++c }' cube.obj > in
+run
+near "are those of its copies, too" "$(field 1 S)" 4.1887902047863905
+check "which are joined" "$status $(cat err)" "0 -: 16 vertices are copies of others: joined"
+# Outlines in a PLY with normals of their own are measured with them, as the command itself writes them.
+cp octant.tsv in
+run --ply octant.ply
+cp out expected
+run octant.ply --digits 12
+check "what --ply wrote is read" "$status $(cat err) $(sed -n 2p out | cut -f 2-12)" \
+    "0  $("$surfmink" --digits 12 in | sed -n 2p | cut -f 2-12)"
+
+# foreign TEXT WHAT: files of other programs are named, with a program that converts them.
+foreign() {
+    printf "$1" > in
+    run
+    check "$2: exit status" "$status" 1
+    check "$2: message" "$(cat err)" "-: $2"
+}
+foreign 'PK\003\004\024\000' \
+    "a zip archive, as xlsx, 3mf, kmz and ImageJ's RoiSet are is not read: unzip it; a spreadsheet saves CSV, ImageJ saves XY coordinates"
+foreign '\223NUMPY\001' "an array of NumPy is not read: numpy.savetxt writes text"
+foreign 'II*\000\010\000' "an image (TIFF) is not read: trace its outlines first: docs/cookbook.md"
+foreign '\000\000\047\012\000' "a shapefile is not read: ogr2ogr -f GeoJSON OUT.geojson IN"
+for id in o g s f v vn solid; do
+    printf '%s x y\n%s 0 0\n%s 1 0\n%s 1 1\n' $id $id $id $id > in
+    run
+    measured "a table whose id is named $id is no mesh" id $id
+done
 
 # --- JSON -------------------------------------------------------------------------------------------------------------
 

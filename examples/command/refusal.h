@@ -19,7 +19,11 @@ static const char *advice(int status, const options *o)
 
 static void write_refusal(FILE *out, const char *name, const measure *m, const options *o)
 {
-    fprintf(out, "%s:%lu: %s%s\n", name, m->line, surfmink_strerror(m->status), advice(m->status, o));
+    put_harmless(out, name);
+    if (m->line > 0) fprintf(out, ":%lu", m->line);
+    fputs(": ", out);
+    put_harmless(out, m->id);
+    fprintf(out, ": %s%s\n", surfmink_strerror(m->status), advice(m->status, o));
 }
 
 #endif
