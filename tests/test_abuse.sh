@@ -216,7 +216,8 @@ mesh "no area" "OFF\n3 1\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n" bad.off "6: vertex 0 (
 mesh "PLY, an index too large" "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y
 property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n${corners}3 0 1 3\n" bad.ply \
     "13: there is no vertex 3"
-mesh "PLY, of bytes, without a mesh" "ply\nformat binary_little_endian 1.0\n" bad.ply "2: the file ends before end_header"
+mesh "PLY, of bytes, without a mesh" "ply\nformat binary_little_endian 1.0\n" bad.ply \
+    "2: the file ends before end_header"
 
 # --- files that cannot be read ----------------------------------------------------------------------------------------
 

@@ -764,7 +764,7 @@ stopped "a face twice" "-:9: face 2 has the same corners as face 0 (from 0): not
 printf 'OFF\n6 3\n0 0 0\n2 0 0\n1 1 0\n0 0 1\n2 0 1\n1 1 1\n4 0 1 4 3\n4 1 2 5 4\n4 2 3 5 0\n' |
     sed 's/^4 2 3 5 0/4 2 3 0 5/' > in
 run
-stopped "one side only" "-:11: the faces at the edge between vertices 2 and 5 (from 0) run opposite ways, and so do others"
+stopped "one side only" "-:11: the faces at the edge between vertices 2 and 5 (from 0) run opposite ways, and so do "
 
 # Every facet with corners of its own: their normals are those of the whole surface.
 run cube.off
@@ -790,7 +790,7 @@ foreign() {
     check "$2: message" "$(cat err)" "-: $2"
 }
 foreign 'PK\003\004\024\000' \
-    "a zip archive, as xlsx, 3mf, kmz and ImageJ's RoiSet are is not read: unzip it; a spreadsheet saves CSV, ImageJ saves XY coordinates"
+    "a zip archive (xlsx, 3mf, kmz, RoiSet) is not read: unzip it; spreadsheets save CSV, ImageJ XY coordinates"
 foreign '\223NUMPY\001' "an array of NumPy is not read: numpy.savetxt writes text"
 foreign 'II*\000\010\000' "an image (TIFF) is not read: trace its outlines first: docs/cookbook.md"
 foreign '\000\000\047\012\000' "a shapefile is not read: ogr2ogr -f GeoJSON OUT.geojson IN"

@@ -63,6 +63,9 @@ static void say(const char *line)
     fputc('\n', stderr);
 }
 
+/* The file that is being read, for remarks. */
+static const char *current_file = "-";
+
 /* --quiet: no remarks. */
 static int says_nothing;
 

@@ -9,6 +9,7 @@
 /* In the order of the words behind --surface and --reverse. */
 enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
 enum reverse { REVERSE_AUTO, REVERSE_ALWAYS, REVERSE_NEVER };
+enum crossings { CROSSINGS_AUTO, CROSSINGS_ALWAYS, CROSSINGS_NEVER };
 enum directions { NO_DIRECTIONS, AT_FIRST_EDGE, AT_CENTER };
 
 /* Panels of a picture. */
@@ -23,15 +24,25 @@ typedef struct viewpoint {
 } viewpoint;
 
 typedef struct options {
-    int surface;   /* of enum surface */
-    double radius; /* 0: not given, 1 then */
-    int max_rank;  /* P >= 1 */
-    int transport; /* of enum surfmink_transport */
-    int order;     /* 2, or 4: the smooth curve through the corners */
-    int error;     /* estimates how far off it */
-    double sharp;  /* degrees: corners that turn by more are corners of the curve; 0: not given */
-    size_t smooth; /* passes */
-    int reverse;   /* of enum reverse */
+    int surface;         /* of enum surface */
+    const char *id;      /* NAME[,NAME...]; NULL: not given */
+    const char *columns; /* the same */
+    int y_down;
+    int estimate_normals;
+    int parts;
+    int repair;
+    double merge_distance; /* of corners that --merge drops, a length; or if merge_relative, of the perimeter */
+    int merge_relative;
+    double resample; /* 0: not given */
+    int crossings;   /* of enum crossings */
+    double radius;   /* 0: not given, 1 then */
+    int max_rank;    /* P >= 1 */
+    int transport;   /* of enum surfmink_transport */
+    int order;       /* 2, or 4: the smooth curve through the corners */
+    int error;       /* estimates how far off it */
+    double sharp;    /* degrees: corners that turn by more are corners of the curve; 0: not given */
+    size_t smooth;   /* passes */
+    int reverse;     /* of enum reverse */
     int merge;
     int digits;
     int directions; /* of enum directions */
@@ -203,6 +214,23 @@ static double parse_radius(const char *value)
     return radius;
 }
 
+static double parse_step(const char *value)
+{
+    double step;
+    if (!parse_number(NULL, value, &step) || !(step > 0 && step <= 1e100))
+        usage_error("--resample is a positive length, not '%s'", value);
+    return step;
+}
+
+/* A length, or a fraction of the perimeter: 1e-9L. */
+static int parse_distance(const char *text, double *distance, int *relative)
+{
+    const char *end = read_number(NULL, text, distance);
+    if (!end || !(*distance >= 0 && *distance <= 1e100)) return 0;
+    *relative = *end == 'L';
+    return end[*relative] == '\0' && !(*relative && *distance >= 0.5);
+}
+
 /* mu_5, or just 5; or several of these with commas between them. */
 static void parse_color_by(options *o, const char *value)
 {
@@ -280,8 +308,16 @@ enum option {
     OPTION_VIEW,
     OPTION_TITLE,
     OPTION_UNIT,
+    OPTION_ID,
+    OPTION_COLUMNS,
+    OPTION_NORMALS,
+    OPTION_RESAMPLE,
+    OPTION_CROSSINGS,
     OPTION_DIRECTIONS, /* with or without a value */
-    OPTION_MERGE,      /* from here on without one */
+    OPTION_MERGE,      /* the same */
+    OPTION_PARTS,      /* from here on without one */
+    OPTION_REPAIR,
+    OPTION_Y_DOWN,
     OPTION_ERROR,
     OPTION_JSON,
     OPTION_SUMMARY,
@@ -293,9 +329,10 @@ enum option {
 
 /* In this order. */
 static const char *const option_name[OPTIONS] = {
-    "surface", "radius",    "max-rank", "transport", "order",    "sharp", "smooth", "reverse", "digits",
-    "svg",     "histogram", "scatter",  "ply",       "color-by", "view",  "title",  "unit",    "directions",
-    "merge",   "error",     "json",     "summary",   "quiet",    "help",  "version"};
+    "surface", "radius",    "max-rank", "transport", "order",      "sharp",  "smooth", "reverse", "digits",
+    "svg",     "histogram", "scatter",  "ply",       "color-by",   "view",   "title",  "unit",    "id",
+    "columns", "normals",   "resample", "crossings", "directions", "merge",  "parts",  "repair",  "y-down",
+    "error",   "json",      "summary",  "quiet",     "help",       "version"};
 
 static void set_option(options *o, int option, const char *value)
 {
@@ -304,6 +341,8 @@ static void set_option(options *o, int option, const char *value)
     static const char *const orders[] = {"2", "4"};
     static const char *const reversals[] = {"auto", "always", "never"};
     static const char *const places[] = {"edge", "center", "centre"};
+    static const char *const estimates[] = {"estimate", "given"};
+    static const char *const extents[] = {"auto", "always", "never"};
     static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
     const char *name = option_name[option];
     switch (option) {
@@ -325,7 +364,19 @@ static void set_option(options *o, int option, const char *value)
     case OPTION_VIEW: parse_view(o, value); break;
     case OPTION_TITLE: o->title = value; break;
     case OPTION_UNIT: o->unit = value; break;
-    case OPTION_MERGE: o->merge = 1; break;
+    case OPTION_ID: o->id = value; break;
+    case OPTION_COLUMNS: o->columns = value; break;
+    case OPTION_NORMALS: o->estimate_normals = parse_choice(name, value, estimates, 2) == 0; break;
+    case OPTION_RESAMPLE: o->resample = parse_step(value); break;
+    case OPTION_CROSSINGS: o->crossings = parse_choice(name, value, extents, 3); break;
+    case OPTION_PARTS: o->parts = 1; break;
+    case OPTION_REPAIR: o->repair = 1; break;
+    case OPTION_Y_DOWN: o->y_down = 1; break;
+    case OPTION_MERGE:
+        o->merge = 1;
+        if (value && !parse_distance(value, &o->merge_distance, &o->merge_relative))
+            usage_error("--merge takes a distance, or a fraction of the perimeter as 1e-9L, not '%s'", value);
+        break;
     case OPTION_DIRECTIONS:
         o->directions = value && parse_choice(name, value, places, 3) > 0 ? AT_CENTER : AT_FIRST_EDGE;
         break;
@@ -343,6 +394,7 @@ static int find_option(const char *text)
 {
     size_t length = strcspn(text, "=");
     int i;
+    if (strcmp(text, "-h") == 0) return OPTION_HELP;
     for (i = 0; i < OPTIONS; ++i)
         if (length > 2 && strncmp(text, "--", 2) == 0 && strlen(option_name[i]) == length - 2 &&
             strncmp(text + 2, option_name[i], length - 2) == 0)
@@ -359,13 +411,15 @@ static int is_place(const char *text)
 /* Takes one option from the front of the arguments; returns how many of them it was. */
 static int take_option(options *o, char **argument)
 {
-    int option = find_option(argument[0]);
+    int option = find_option(argument[0]), relative;
+    double distance;
     const char *equals = strchr(argument[0], '=');
-    if (option == OPTION_DIRECTIONS && !equals && !is_place(argument[1])) {
+    if ((option == OPTION_DIRECTIONS && !equals && !is_place(argument[1])) ||
+        (option == OPTION_MERGE && !equals && !(argument[1] && parse_distance(argument[1], &distance, &relative)))) {
         set_option(o, option, NULL);
         return 1;
     }
-    if (option >= OPTION_MERGE) {
+    if (option >= OPTION_PARTS) {
         if (equals) usage_error("--%s takes no value", option_name[option]);
         set_option(o, option, NULL);
         return 1;
@@ -410,6 +464,9 @@ static void check_options(options *o)
         usage_error("--svg draws %d panels at most: fewer --view, or fewer ranks", MOST_COLORS);
     if (o->transport == SURFMINK_PARALLEL && (o->order == 4 || o->error))
         usage_error("--transport parallel has neither --order 4 nor --error");
+    if (o->estimate_normals && (o->surface == PLANE || o->surface == SPHERE))
+        usage_error("--normals estimate is for cells in space, not for --surface %s",
+                    o->surface == PLANE ? "plane" : "sphere");
     if (o->sharp > 0 && o->order == 2 && !o->error) usage_error("--sharp is for --order 4 and --error");
 }
 

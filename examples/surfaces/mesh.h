@@ -222,6 +222,8 @@ static inline int mesh__split_faces(mesh *m, const mesh_file *f, mesh_error *err
         status = mesh__split(m, room, &ring, f->line[i], error);
     }
     free(work);
+    if (!status && !m->triangles)
+        status = mesh__fail(error, MESH_MALFORMED, m->name, 0, "its faces are no larger than what is joined");
     return status;
 }
 

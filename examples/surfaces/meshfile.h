@@ -20,8 +20,8 @@
      3 orient   are the faces a surface?          mesh_file_orient: joins copies of vertices, turns faces round
 
    MEMORY AND COST
-     Arrays come from malloc; mesh_file_free gives them back. When a call fails there is nothing to free from it. Reading
-     takes linear time, orienting takes n log n. No globals; strtod heeds the locale, so leave LC_NUMERIC at "C". */
+     Arrays come from malloc; mesh_file_free gives them back. When a call fails there is nothing to free from it.
+     Reading takes linear time, orienting takes n log n. No globals; strtod heeds the locale, so leave LC_NUMERIC at "C". */
 #ifndef SURFMINK_MESHFILE_H
 #define SURFMINK_MESHFILE_H
 
@@ -1058,8 +1058,8 @@ static inline int mesh__is_foreign(const char *first, size_t length, const char 
         size_t length;
         const char *what, *how;
     } known[] = {{"\x1f\x8b", 2, "compressed (gzip)", "gzip -dc FILE | ... - reads it"},
-                 {"PK\x03\x04", 4, "a zip archive, as xlsx, 3mf, kmz and ImageJ's RoiSet are",
-                  "unzip it; a spreadsheet saves CSV, ImageJ saves XY coordinates"},
+                 {"PK\x03\x04", 4, "a zip archive (xlsx, 3mf, kmz, RoiSet)",
+                  "unzip it; spreadsheets save CSV, ImageJ XY coordinates"},
                  {"glTF", 4, "binary glTF", "Blender or MeshLab saves it as PLY"},
                  {"<VTKFile", 8, "XML of VTK", "ParaView saves it as PLY, or meshio convert IN OUT.ply"},
                  {"<GIFTI", 6, "a GIFTI surface", "mris_convert IN OUT.stl"},
@@ -1321,6 +1321,7 @@ static inline size_t mesh__group(const mesh__half *half, size_t count, size_t i)
     return k;
 }
 
+/* Of a cell of the grid; in 32 bits, so that no product overflows. */
 static inline size_t mesh__hash(const double cell[3])
 {
     uint64_t bits, hash = 0;
@@ -1328,10 +1329,11 @@ static inline size_t mesh__hash(const double cell[3])
     for (c = 0; c < 3; ++c) {
         double x = cell[c] + 0.0; /* -0 is 0 */
         memcpy(&bits, &x, sizeof bits);
-        hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 29;
+        bits ^= bits >> 32;
+        hash = ((hash ^ bits) & 0xffffffff) * 0x9e3779b1;
+        hash ^= hash >> 15;
     }
-    return (size_t)hash;
+    return (size_t)(hash & 0xffffffff);
 }
 
 /* Joins vertices of the boundary (free[v]) that lie within `near` of each other: a grid of cells of that size, of which
@@ -1443,7 +1445,8 @@ static inline int mesh__check_edges(mesh_file *f, const mesh__half *half, size_t
     return MESH_OK;
 }
 
-/* Neighbours of faces: of face i, link[start[i] .. start[i + 1] - 1] is 2 * neighbour + 1 if the two run opposite ways. */
+/* Neighbours of faces: of face i from link[start[i]] to before link[start[i + 1]], as 2 * neighbour + 1 if the two run
+   opposite ways. */
 static inline void mesh__list_neighbours(const mesh_file *f, const mesh__half *half, size_t count, size_t *start,
                                          uint64_t *link)
 {
@@ -1461,7 +1464,7 @@ static inline void mesh__list_neighbours(const mesh_file *f, const mesh__half *h
     start[0] = 0;
 }
 
-/* Flood fill from face to face: state is 1 for a face that stays, 2 for one that has to be turned. Of each component the
+/* Flood fill from face to face: state is 1 for a face that stays, 2 for one that is turned. Of each component the
    smaller part is turned. Returns 0 where two neighbours cannot both be right: pair. */
 static inline int mesh__flood(const mesh_file *f, const size_t *start, const uint64_t *link, unsigned char *state,
                               uint32_t *queue, size_t pair[2])
@@ -1570,8 +1573,8 @@ static inline int mesh_file_orient(mesh_file *f, const char *name, mesh_error *e
    digits. */
 static inline void mesh_file_area(const mesh_file *f, size_t face, double area[3])
 {
-    const uint32_t *corner = f->corner + f->begin[face];
     size_t i, n = f->begin[face + 1] - f->begin[face];
+    const uint32_t *corner = n ? f->corner + f->begin[face] : NULL;
     double a[3], b[3];
     int k;
     area[0] = area[1] = area[2] = 0;
