@@ -85,7 +85,9 @@ static void show_progress(run *r)
     now = time(NULL);
     if (difftime(now, r->started) < 2 || difftime(now, r->shown) < 1) return;
     r->shown = now;
-    fprintf(stderr, "\r\033[K%s: %lu polygons, %lu refused", r->name, r->measured + r->refused, r->refused);
+    fputs("\r\033[K", stderr);
+    put_harmless(stderr, r->name);
+    fprintf(stderr, ": %lu polygons, %lu refused", r->measured + r->refused, r->refused);
     fflush(stderr);
     progress_is_shown = 1;
 }

@@ -198,14 +198,20 @@ static int is_ignored(const column_list *c, size_t place)
 /* Where there is something to guess, what has been guessed. */
 static void tell_ids(const column_list *c, const lines *in)
 {
-    char ids[400] = "", ignored[400] = "";
-    size_t i;
+    enum { MOST_TOLD = 8 };
+    char ids[400] = "", ignored[400] = "", more[40] = "";
+    size_t i, told = 0;
     for (i = 0; i < c->names; ++i) {
         char *list = is_id(c, i) ? ids : is_ignored(c, i) && c->name[i][0] ? ignored : NULL;
+        if (list == ignored && ++told > MOST_TOLD) {
+            snprintf(more, sizeof more, " and %lu more", (unsigned long)(told - MOST_TOLD));
+            continue;
+        }
         if (list) snprintf(list + strlen(list), 400 - strlen(list), "%s%.60s", *list ? " " : "", c->name[i]);
     }
     if (c->ids > 0 && (c->ids > 1 || *ignored))
-        remark("%s: id: %s%s%s (--id names others)", in->name, ids, *ignored ? "; not looked at: " : "", ignored);
+        remark("%s: id: %s%s%s%s (--id names others)", in->name, ids, *ignored ? "; not looked at: " : "", ignored,
+               more);
 }
 
 static void find_columns(column_list *c, const lines *in, const options *o)

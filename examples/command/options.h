@@ -6,6 +6,10 @@
 #include "common.h"
 #include "number.h"
 
+#if HAS_POSIX
+#include <sys/stat.h>
+#endif
+
 /* In the order of the words behind --surface and --reverse. */
 enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
 enum reverse { REVERSE_AUTO, REVERSE_ALWAYS, REVERSE_NEVER };
@@ -63,10 +67,12 @@ static void usage_error(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DI
 static void usage_error(const char *format, ...)
 {
     va_list arguments;
-    fputs("surfmink: ", stderr);
+    char text[2048];
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    fputs("surfmink: ", stderr);
+    put_harmless(stderr, text);
     fputs(" (surfmink --help explains)\n", stderr);
     exit(EXIT_TROUBLE);
 }
@@ -438,6 +444,52 @@ static const char *picture_file(const options *o, int i)
     return i == 0 ? o->svg : i == 1 ? o->histogram : i == 2 ? o->scatter : o->ply;
 }
 
+#if HAS_POSIX
+/* The folder that a file is in, or would be. */
+static int stat_folder(const char *name, struct stat *folder)
+{
+    const char *slash = strrchr(name, '/');
+    size_t length = slash ? (size_t)(slash - name) + 1 : 0;
+    char *text = (char *)resize(NULL, length + 2, 1);
+    int known;
+    memcpy(text, name, length);
+    strcpy(text + length, ".");
+    known = stat(text, folder) == 0;
+    free(text);
+    return known;
+}
+#endif
+
+/* Would both names write to one file? Not by their names, but by device and inode; of files that are yet to be made, by
+   those of their folders. Devices such as /dev/null bear it. */
+static int is_same_output(const char *a, const char *b)
+{
+#if HAS_POSIX
+    struct stat at_a, at_b;
+    const char *base_a = strrchr(a, '/'), *base_b = strrchr(b, '/');
+    int is_a = stat(a, &at_a) == 0, is_b = stat(b, &at_b) == 0;
+    if (is_a != is_b) return 0;
+    if (is_a) return S_ISREG(at_a.st_mode) && at_a.st_dev == at_b.st_dev && at_a.st_ino == at_b.st_ino;
+    if (strcmp(base_a ? base_a + 1 : a, base_b ? base_b + 1 : b) != 0) return 0;
+    if (!stat_folder(a, &at_a) || !stat_folder(b, &at_b)) return strcmp(a, b) == 0;
+    return at_a.st_dev == at_b.st_dev && at_a.st_ino == at_b.st_ino;
+#else
+    return strcmp(a, b) == 0;
+#endif
+}
+
+static int is_standard_output(const char *name)
+{
+#if HAS_POSIX
+    struct stat file, out;
+    return stat(name, &file) == 0 && fstat(fileno(stdout), &out) == 0 && S_ISREG(out.st_mode) &&
+           file.st_dev == out.st_dev && file.st_ino == out.st_ino;
+#else
+    (void)name;
+    return 0;
+#endif
+}
+
 /* What no single option can know to be wrong. An option without effect would be taken for one that has been obeyed. */
 static void check_options(options *o)
 {
@@ -446,8 +498,10 @@ static void check_options(options *o)
         const char *name = picture_file(o, i);
         if (!name) continue;
         if (*name == '\0' || strcmp(name, "-") == 0) usage_error("--%s needs the name of a file", picture_option[i]);
+        if (is_standard_output(name))
+            usage_error("--%s would write the file that is standard output", picture_option[i]);
         for (j = 0; j < i; ++j)
-            if (picture_file(o, j) && strcmp(name, picture_file(o, j)) == 0)
+            if (picture_file(o, j) && is_same_output(name, picture_file(o, j)))
                 usage_error("--%s and --%s would write the same file", picture_option[j], picture_option[i]);
     }
     if (!o->svg && !o->histogram && !o->scatter && !o->ply && o->colors > 0)

@@ -18,11 +18,12 @@ static const char *advice(const measure *m, const options *o)
         return m->surface == PLANE ? "; --reverse auto turns such outlines round; if y points down, as in images, "
                                      "--y-down does, and keeps directions right"
                                    : "; --reverse auto turns such outlines round; or normals point inwards";
-    case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them";
+    case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them, --repair also seams and spikes";
     case SURFMINK_BAD_ARGUMENT:
         return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees; x y of a map want --surface "
                "plane";
     case FAULT_SEVERAL_RINGS: return "; --parts makes each ring an outline";
+    case FAULT_SPIKE: return "; --repair takes it out";
     case FAULT_SHORT_EDGE: return "; --merge 1e-6L drops such corners";
     default: return "";
     }

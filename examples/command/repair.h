@@ -242,6 +242,95 @@ static size_t ring_end(const polygon *p, size_t first)
     return p->n;
 }
 
+/* --- pixels ------------------------------------------------------------------------------------------------------- */
+
+/* Corners of more outlines than a few buildings have: those of pixels. */
+enum { FEWEST_STAIRS = 12 };
+
+/* Do all edges run along the two axes? */
+static int is_staircase(const polygon *p)
+{
+    size_t i;
+    if (p->surface != PLANE || p->n <= FEWEST_STAIRS) return 0;
+    for (i = 0; i < p->n; ++i) {
+        const double *a = p->corner + 2 * i, *b = p->corner + 2 * (i + 1 < p->n ? i + 1 : 0);
+        if (fabs(a[0] - b[0]) > 0 && fabs(a[1] - b[1]) > 0) return 0;
+    }
+    return 1;
+}
+
+/* A pass of the mean moves a corner by its edges, so they are to be alike: within a factor of 3, as the sides and
+   diagonals of pixels and what is left of them are. */
+static int is_uneven(const polygon *p)
+{
+    double least = HUGE_VAL, most = 0;
+    size_t i;
+    for (i = 0; i < p->n; ++i) {
+        double length = distance(p, i, i + 1 < p->n ? i + 1 : 0);
+        if (length < least) least = length;
+        if (length > most) most = length;
+    }
+    return most > 3 * least;
+}
+
+/* Once a run, for the first outline that is so. */
+static void tell_pixels(const polygon *p, const options *o)
+{
+    static int told_stairs, told_uneven;
+    if (!told_stairs && !o->smooth && is_staircase(p)) {
+        told_stairs = 1;
+        remark("%s:%lu: %s: all edges run along the axes, as those of pixels do, and mu_4 says just that; --resample 1 "
+               "--smooth 4 (1: the size of a pixel), or trace a grey image",
+               current_file, p->first_line, p->id);
+    }
+    if (!told_uneven && o->smooth && !(o->resample > 0) && is_uneven(p)) {
+        told_uneven = 1;
+        remark("%s:%lu: %s: --smooth wants edges of like length, and these are not; --resample STEP makes them so",
+               current_file, p->first_line, p->id);
+    }
+}
+
+/* Corners at equal distances of about `step` along the outline, from the first one on. On a sphere along the chords. */
+static void resample_corners(polygon *p, double step)
+{
+    polygon fine;
+    size_t stride = stride_of(p->surface), n, i, k, edge = 0;
+    double length = 0, at, passed = 0, *side = (double *)resize(NULL, p->n + 1, sizeof *side), x[3],
+           normal[3] = {0, 0, 0};
+    for (i = 0; i < p->n; ++i) {
+        const double *a = p->corner + i * stride, *b = p->corner + (i + 1 < p->n ? i + 1 : 0) * stride;
+        side[i] = hypot(hypot(b[0] - a[0], b[1] - a[1]), stride == 3 ? b[2] - a[2] : 0);
+        length += side[i];
+    }
+    if (!(length / step < 1e8))
+        die("%s:%lu: --resample %g makes too many corners of an outline of length %g", current_file, p->first_line,
+            step, length);
+    n = (size_t)(length / step + 0.5);
+    if (n < 3) n = 3;
+    memset(&fine, 0, sizeof fine);
+    begin_polygon(&fine, p->surface, p->id, p->first_line);
+    for (i = 0; i < n && length > 0; ++i) {
+        const double *a, *b;
+        double t;
+        size_t next;
+        at = length * (double)i / (double)n;
+        while (edge + 1 < p->n && passed + side[edge] <= at) passed += side[edge++];
+        next = edge + 1 < p->n ? edge + 1 : 0;
+        a = p->corner + edge * stride, b = p->corner + next * stride;
+        t = side[edge] > 0 ? (at - passed) / side[edge] : 0;
+        for (k = 0; k < stride; ++k) x[k] = a[k] + t * (b[k] - a[k]);
+        for (k = 0; k < 3 && p->surface == EMBEDDED; ++k)
+            normal[k] = p->normal[3 * edge + k] + t * (p->normal[3 * next + k] - p->normal[3 * edge + k]);
+        add_corner(&fine, x, normal, p->line[edge]);
+    }
+    free(side);
+    if (fine.n > 0) {
+        p->n = 0;
+        for (i = 0; i < fine.n; ++i) add_corner(p, fine.corner + i * stride, fine.normal + 3 * i, fine.line[i]);
+    }
+    free_polygon(&fine);
+}
+
 static void smooth_corners(polygon *p, size_t passes)
 {
     surfmink_smooth(p->corner, p->n, stride_of(p->surface), passes);
@@ -279,6 +368,12 @@ static void repair_polygon(polygon *p, const options *o)
         find_fault(p, FAULT_SHORT_EDGE, p->line[end + 1 < p->n ? end + 1 : 0]);
         return;
     }
+    tell_pixels(p, o);
+    if (o->smooth && (end = find_spike(p)) < p->n && p->n > 4) {
+        find_fault(p, FAULT_SPIKE, p->line[end]);
+        return;
+    }
+    if (o->resample > 0) resample_corners(p, o->resample);
     smooth_corners(p, o->smooth);
     if (o->reverse == REVERSE_ALWAYS) reverse_corners(p);
 }

@@ -16,6 +16,7 @@ typedef struct table {
     int shift;              /* the row names of R have no name: fields are one place further on */
     int has_row;            /* the line that ended a polygon, or came with --columns, is yet to be taken */
     int by_columns;         /* --columns: the file has no names */
+    int by_lines;           /* it has none, and x,y,x,y,... on each line: an outline a line */
     unsigned long polygons; /* so far */
     unsigned long rows;
     char *id; /* of the row at hand; and what the first unnamed column had in the first row */
@@ -46,6 +47,19 @@ static char find_separator_of(const char *text)
     return ' ';
 }
 
+/* Lines of x,y,x,y,... without names, as Cellpose writes them? */
+static int is_by_lines(const table *t, const options *o)
+{
+    const lines *in = t->in;
+    size_t i;
+    double number;
+    if (o->columns || o->id || t->separator != ',' || in->fields < 6) return 0;
+    for (i = 0; i < in->fields; ++i)
+        if (!parse_number(in->powers, in->field[i], &number)) return 0;
+    if (o->surface != PLANE && o->surface != AS_THE_COLUMNS_SAY) return 0;
+    return 1;
+}
+
 static void read_header(table *t, lines *in, const options *o)
 {
     memset(t, 0, sizeof *t);
@@ -56,6 +70,14 @@ static void read_header(table *t, lines *in, const options *o)
     trim_end(in->text);
     t->separator = find_separator_of(in->text);
     split_line(in, t->separator);
+    if (is_by_lines(t, o)) {
+        remark("%s: no names, and x,y,x,y,... on each line: each line is an outline%s", in->name,
+               o->y_down ? "" : "; --y-down if y counts rows of an image");
+        t->by_lines = t->has_row = 1;
+        t->columns.layout = &layout_plane;
+        t->down = o->y_down ? -1 : 1;
+        return;
+    }
     read_columns(&t->columns, in, o);
     t->by_columns = t->has_row = o->columns != NULL;
     t->down = o->y_down || (has(&t->columns, COLUMN_ROW) && t->columns.place[COLUMN_ROW] == t->columns.place[COLUMN_Y])
@@ -300,10 +322,38 @@ static void judge_unnamed(table *t, polygon *p)
     t->columns.unnamed = nowhere;
 }
 
+/* A line of x,y,x,y,... */
+static int next_line_polygon(table *t, polygon *p)
+{
+    char number[32];
+    size_t i, k;
+    do {
+        if (!t->has_row && !read_line(t->in)) return 0;
+        if (!t->has_row && (is_comment(t->in->text) || is_blank_line(t->in->text))) continue;
+        if (!t->has_row) split_line(t->in, t->separator);
+        t->has_row = 0;
+        break;
+    } while (1);
+    if (t->in->fields % 2 != 0) malformed(t->in, "%lu numbers are no pairs x,y", (unsigned long)t->in->fields);
+    snprintf(number, sizeof number, "%lu", t->polygons++);
+    begin_polygon(p, PLANE, number, t->in->number);
+    for (i = 0; i < t->in->fields; i += 2) {
+        double x[2];
+        for (k = 0; k < 2; ++k)
+            if (!parse_number(t->in->powers, t->in->field[i + k], &x[k]))
+                malformed(t->in, "'%s' is not a number", t->in->field[i + k]);
+        x[1] *= t->down;
+        if (!isfinite(x[0]) || !isfinite(x[1])) find_fault(p, SURFMINK_NOT_FINITE, t->in->number);
+        add_corner(p, x, NULL, t->in->number);
+    }
+    return 1;
+}
+
 /* Lines that follow each other with the same id; without ids, up to a blank line. Returns 0 at the end of the file. */
 static int next_of_table(table *t, polygon *p)
 {
     int begun = 0;
+    if (t->by_lines) return next_line_polygon(t, p);
     while (next_row(t)) {
         if (t->in->fields == 0 || (t->columns.ids == 0 && is_gap(t))) {
             if (begun && t->columns.ids == 0) return 1;

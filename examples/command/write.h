@@ -98,6 +98,7 @@ static void write_row(FILE *out, const options *o, const powers_of_ten *powers, 
     w.powers = powers;
     w.columns = 0;
     if (row == JSON_OBJECT) putc('{', out);
+    if (o->files > 1) put_word(&w, "file", current_file);
     put_word(&w, "id", id);
     put_count(&w, "n", m ? m->n : 0);
     put_word(&w, "status", m ? status_name(m->status) : "");
