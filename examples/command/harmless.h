@@ -1,4 +1,4 @@
-/* harmless.h - text of unknown origin, such as names of files and cells, for a terminal. All commands have it from here.
+/* harmless.h - text of unknown origin, such as names of files and cells, for a terminal; for all commands.
 
    A control character in it could move the cursor, change what has been written, or end a line of a table: C0 (below
    blank), DEL, and C1, which UTF-8 writes as 0xC2 0x80 to 0xC2 0x9F and 8-bit terminals take as the single byte. */

@@ -176,8 +176,8 @@ static void merge_corners(polygon *p, const options *o)
     while (p->n > 1 && (near > 0 ? distance(p, 0, p->n - 1) <= near : coincide(p, 0, p->n - 1))) --p->n;
 }
 
-/* Takes out exact spikes, however long: x, tip, x; x, y, tip, y, x; ... and with them seams, where an outline comes back
-   along the way that it went. */
+/* Takes out exact spikes, however long: x, tip, x; x, y, tip, y, x; ... and with them seams, where an outline comes
+   back the way it went. */
 static void remove_spikes(polygon *p)
 {
     size_t i, kept = 0, before = p->n;
@@ -222,8 +222,8 @@ static void area_vector(const polygon *p, size_t first, size_t end, double area[
     }
 }
 
-/* The corner at which the ring that begins at `first` has closed: its first corner again, with some area in between, and
-   not at the end of it all. n if it does not. (There and back along a line is no ring.) */
+/* The corner at which the ring that begins at `first` has closed: its first corner again, with some area in between.
+   n if it does not. (There and back along a line is no ring.) */
 static size_t ring_end(const polygon *p, size_t first)
 {
     size_t i, k, stride = stride_of(p->surface);
