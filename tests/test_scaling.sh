@@ -59,9 +59,10 @@ single() {
     refusals want.err
 }
 
-# refusals FILE: without the notes about what a run sees of its table, of which a part sees less.
+# refusals FILE: without the notes about what a run sees of its table, of which a part sees less, and without the ids of
+# outlines that have none but their number, which in a part counts from 0.
 refusals() {
-    grep -v -e ': id: ' -e ' comes again: only lines' -e "^[^:]*:[0-9]*: column '.*' changes within" "$1" > plain.err
+    sed 's/^\(unnamed:[0-9]*: \)[0-9]*: /\1/' "$1" | grep -v -e ': id: ' -e ' comes again: only lines' -e "^[^:]*:[0-9]*: column '.*' changes within" > plain.err
     mv plain.err "$1"
 }
 

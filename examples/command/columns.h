@@ -202,7 +202,8 @@ static void tell_ids(const column_list *c, const lines *in)
     char ids[400] = "", ignored[400] = "", more[40] = "";
     size_t i, told = 0;
     for (i = 0; i < c->names; ++i) {
-        char *list = is_id(c, i) ? ids : is_ignored(c, i) && c->name[i][0] ? ignored : NULL;
+        int is_level = strcmp(c->name[i], "level") == 0; /* levelset writes it beside its loops, which are ids enough */
+        char *list = is_id(c, i) ? ids : is_ignored(c, i) && c->name[i][0] && !is_level ? ignored : NULL;
         if (list == ignored && ++told > MOST_TOLD) {
             snprintf(more, sizeof more, " and %lu more", (unsigned long)(told - MOST_TOLD));
             continue;
