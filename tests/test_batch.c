@@ -44,9 +44,9 @@ static size_t batch(int instance, enum surface surface, const double *corner, co
         surfmink__job_of(kind, corner, normal, surface == SPHERE ? radius : 1, offset, max_rank, out, scratch);
     if (instance_of[instance].window) return surfmink__batch(&job, count, instance_of[instance].window);
     switch (surface) {
-    case PLANE: return surfmink_batch_plane(corner, offset, count, max_rank, out, scratch);
-    case SPHERE: return surfmink_batch_sphere(corner, offset, count, radius, max_rank, out, scratch);
-    default: return surfmink_batch_embedded(corner, normal, offset, count, max_rank, out, scratch);
+    case PLANE: return surfmink_batch(IN_PLANE(corner, offset[count]), offset, count, max_rank, out, scratch);
+    case SPHERE: return surfmink_batch(ON_SPHERE(corner, offset[count], radius), offset, count, max_rank, out, scratch);
+    default: return surfmink_batch(IN_SPACE(corner, normal, offset[count]), offset, count, max_rank, out, scratch);
     }
 }
 
@@ -285,11 +285,11 @@ static void measure_one(const bundle *b, size_t i, single *s)
     const double *corner = corner_of(b, i), *normal = normal_of(b, i);
     size_t n = corners_of(b, i);
     switch (b->surface) {
-    case PLANE: s->status = surfmink_measure_plane(corner, n, b->max_rank, s->mu, s->g, &s->w, &s->bad); break;
+    case PLANE: s->status = surfmink_measure(IN_PLANE(corner, n), b->max_rank, s->mu, s->g, &s->w, &s->bad); break;
     case SPHERE:
-        s->status = surfmink_measure_sphere(corner, n, b->radius, b->max_rank, s->mu, s->g, &s->w, &s->bad);
+        s->status = surfmink_measure(ON_SPHERE(corner, n, b->radius), b->max_rank, s->mu, s->g, &s->w, &s->bad);
         break;
-    default: s->status = surfmink_measure_embedded(corner, normal, n, b->max_rank, s->mu, s->g, &s->w, &s->bad);
+    default: s->status = surfmink_measure(IN_SPACE(corner, normal, n), b->max_rank, s->mu, s->g, &s->w, &s->bad);
     }
     if (s->status != SURFMINK_OK) return;
     s->c = s->w.condition;
@@ -1134,7 +1134,7 @@ THEOREM(outlines_without_corners_need_no_place_for_them)
     surfmink_results out = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL};
     out.status = status;
     out.bad = bad;
-    CHECK_EQUAL(surfmink_batch_embedded(NULL, NULL, offset, 2, 6, &out, NULL), 2);
+    CHECK_EQUAL(surfmink_batch(IN_SPACE(NULL, NULL, offset[2]), offset, 2, 6, &out, NULL), 2);
     CHECK_STATUS(status[0], SURFMINK_TOO_FEW_CORNERS);
     CHECK_STATUS(status[1], SURFMINK_TOO_FEW_CORNERS);
     CHECK(bad[0] == 0 && bad[1] == 0);
