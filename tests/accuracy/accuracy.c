@@ -585,7 +585,7 @@ static int measure(int way, const polygon *o, double *mu, double *theta, surfmin
     size_t offset[2] = {0, o->n}, refused;
     unsigned char left;
     surfmink_results out = {NULL, NULL, &w->length, &w->turning, &w->area, mu, NULL, theta};
-    surfmink__job job = {&outline, offset, &out, NULL, o->surface == SPHERE ? o->radius : 1, MAX_RANK};
+    surfmink__job job = job_of(&outline, offset, MAX_RANK, &out, NULL);
     if (way == CALLBACKS) {
         outline = surfmink_on_surface(&sphere, o->corner, o->n);
         return measure_single(&outline, mu, theta, w);
@@ -602,6 +602,7 @@ static const char *way_name(int way)
 
 static int can_take(int way, enum surface surface)
 {
+    if (way == SCALAR) return 0; /* that is the public call */
     return way == CALLBACKS ? surface == SPHERE : can_run(way);
 }
 
