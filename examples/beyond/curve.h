@@ -685,22 +685,20 @@ static inline int surfmink_curve(const surfmink_outline *outline, const surfmink
         status = SURFMINK_NOT_FINITE;
     if (status != SURFMINK_OK) return surfmink_curve__blame(status, outline->n, bad);
     work = surfmink_curve__work_of(outline, options, max_rank, scratch);
-    if (options->order == 2) status = surfmink_measure(outline, max_rank, out->mu, out->g, &w, bad);
-    if (options->order == 2 && (status != SURFMINK_OK || !out->error)) {
-        if (status == SURFMINK_OK && out->w) *out->w = w;
-        return status;
-    }
+    if (options->order == 2 && !out->error) return surfmink_measure(outline, max_rank, out->mu, out->g, out->w, bad);
     if ((status = surfmink_edges(outline, work.arc, work.turn, bad)) != SURFMINK_OK) return status;
     status = surfmink_total(outline, work.arc, work.turn, outline->n, &w);
     if (status != SURFMINK_OK) return surfmink_curve__blame(status, outline->n, bad);
     work.unit = surfmink_curve__unit(outline, w.length);
     c = surfmink_curve__arcs_of(&work, outline->n);
-    if (options->order == 4) {
-        if ((status = surfmink_curve__look_around(&work, outline, NULL, &c, bad)) != SURFMINK_OK) return status;
+    if (options->order == 2) {
+        if ((status = surfmink_curve__make_arcs(&c, 2)) != SURFMINK_OK) c.w.turning = 0; /* edges too unlike to add */
+        status = surfmink_measure(outline, max_rank, out->mu, out->g, &w, bad);
+    } else if ((status = surfmink_curve__look_around(&work, outline, NULL, &c, bad)) == SURFMINK_OK) {
         status = surfmink_curve__fourth(&c, outline, max_rank, &w, out);
-        if (status != SURFMINK_OK) return surfmink_curve__blame(status, outline->n, bad);
-    } else
-        surfmink_curve__make_arcs(&c, 2);
+        surfmink_curve__blame(status, outline->n, bad);
+    }
+    if (status != SURFMINK_OK) return status;
     if (out->error) surfmink_curve__estimate(&work, &c, max_rank, out->error);
     if (out->w) *out->w = w;
     return SURFMINK_OK;
