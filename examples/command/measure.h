@@ -4,11 +4,10 @@
 
 #include "batch.h"
 #include "repair.h"
-#include "../beyond/director.h"
 
 /* Of one polygon. */
 typedef struct measure {
-    int status;         /* of enum surfmink_status; unless OK only n and line count */
+    int status;         /* of enum surfmink_status or surfmink_curve_status; unless OK only n and line count */
     size_t n;           /* corners, as measured */
     unsigned long line; /* of the corner to blame, or of the whole outline */
     double length, turning, area;
@@ -139,10 +138,28 @@ static const unsigned char *find_sharp(measures *m, const surfmink_outline *outl
 
 static void measure_curve(measures *m, const polygon *p, size_t i, const options *o)
 {
+    size_t ranks = (size_t)o->max_rank + 1;
     surfmink_outline outline = outline_of_polygon(p, o);
-    find_sharp(m, &outline, o);
-    (void)i;
-    die("surfmink: --order 4 and --error are not here yet: they wait for beyond/curve.h");
+    surfmink_functionals w = {0, 0, 0, 0, 0};
+    surfmink_curve_options how;
+    surfmink_curve_results to;
+    int status;
+    m->scratch =
+        (double *)grow(m->scratch, &m->scratch_room, SURFMINK_CURVE_SCRATCH(p->n, o->max_rank), sizeof *m->scratch);
+    how.order = o->order;
+    how.sharp = find_sharp(m, &outline, o);
+    how.curvature = 0;
+    how.curvature_at = NULL;
+    to.mu = m->of.mu + i * ranks;
+    to.error = o->error ? m->error + i * ranks : NULL;
+    to.g = m->g;
+    to.w = &w;
+    status = surfmink_curve(&outline, &how, o->max_rank, m->scratch, &to, m->of.bad + i);
+    if (status == SURFMINK_OK) status = surfmink_spectrum(m->g, o->max_rank, NULL, NULL, m->of.theta + i * ranks);
+    m->of.status[i] = status;
+    m->of.length[i] = w.length;
+    m->of.turning[i] = w.turning;
+    m->of.area[i] = w.area;
 }
 
 /* The polygons from `first` to before `end`, as they now are. */

@@ -20,7 +20,7 @@ static const char *advice(int status, const options *o)
 
 static void write_refusal(FILE *out, const char *name, const measure *m, const options *o)
 {
-    fprintf(out, "%s:%lu: %s%s\n", name, m->line, surfmink_strerror(m->status), advice(m->status, o));
+    fprintf(out, "%s:%lu: %s%s\n", name, m->line, surfmink_curve_strerror(m->status), advice(m->status, o));
 }
 
 #endif
