@@ -776,7 +776,7 @@ THEOREM(where_nothing_can_be_said_the_estimate_is_one)
             m = measure(&o, NULL, order);
             is_unknown(&m);
         }
-        along(&w, 12, &o);
+        along(&w, 24, &o);
         m = measure(&o, NULL, order);
         CHECK(m.error[0] < 1 && m.error[2] < 1);
         along(&w, 24, &o); /* every second or fourth corner is an outline that is refused */
