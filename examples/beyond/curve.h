@@ -70,7 +70,7 @@ typedef struct surfmink_curve_results {
    curvature; the length or the area of the curve); UNLIKE_EDGES, on the corner that ends the short edge (that begins
    it, if the edge leads to corner 0).
    Cost: O(n P); order 4 takes two to six times as long as surfmink_measure, the errors two to three times as long as
-   that again. Callbacks: 2 n logs, with errors 6 n; n curvatures. */
+   that again. Callbacks: 2 n logs, with errors 6 n, at order 2 up to 10 n; n curvatures. */
 static inline int surfmink_curve(const surfmink_outline *outline, const surfmink_curve_options *options, int max_rank,
                                  double *scratch, const surfmink_curve_results *out, size_t *bad);
 
@@ -136,9 +136,9 @@ typedef struct surfmink_curve__arcs {
     double measure;             /* the unit of the lengths that belong to K; on a sphere the radius: 1 */
     const unsigned char *sharp; /* or NULL */
     surfmink_functionals w;     /* of the arcs: L over unit, S, condition */
-    double rise, segments,
-        lead;               /* sum E_i; area between chords and arcs; mean direction of arc 0 to that at its middle */
-    double power, sharpest; /* sum l_i^(order + 1); largest turn at a corner that is not sharp */
+    double rise, segments;      /* sum E_i; area between chords and arcs */
+    double lead;                /* from the mean direction of arc 0 to that at its middle */
+    double power, sharpest;     /* sum l_i^(order + 1); largest turn at a corner that is not sharp */
 } surfmink_curve__arcs;
 
 static inline size_t surfmink_curve__next(const surfmink_curve__arcs *c, size_t i)
@@ -366,10 +366,9 @@ static inline void surfmink_curve__integrate(const surfmink_curve__arcs *c, int 
 
 static inline void surfmink_curve__unit_vector(const double v[3], double unit[3])
 {
-    double norm;
-    int k, exponent;
-    frexp(fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))), &exponent);
-    for (k = 0; k < 3; ++k) unit[k] = ldexp(v[k], -exponent); /* whose square is neither 0 nor infinite */
+    double most = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))), norm;
+    int k;
+    for (k = 0; k < 3; ++k) unit[k] = v[k] / most; /* whose square is neither 0 nor infinite */
     norm = sqrt(unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2]);
     for (k = 0; k < 3; ++k) unit[k] /= norm;
 }
@@ -463,47 +462,40 @@ static inline int surfmink_curve__log(void *context, const double *x, const doub
     return (o->surface->log)(o->surface->context, from, to, length, direction);
 }
 
-/* The corner after corner i: step corners on, but no sharp corner is left out. */
-static inline size_t surfmink_curve__step(const surfmink_curve__work *work, size_t i, size_t step)
-{
-    for (; step > 0; --step) {
-        i = i + 1 < work->outline.n ? i + 1 : 0;
-        if (work->options->sharp && work->options->sharp[i]) break;
-    }
-    return i;
-}
-
-/* Copies every step-th corner, from one of them on, as many times round as it takes to come back to that one. */
+/* Copies every step-th corner and each sharp one, from one of them on, as many times round as it takes to come back to
+   that one. */
 static inline surfmink_outline surfmink_curve__some(surfmink_curve__work *work, size_t step, size_t start,
                                                     size_t *windings)
 {
     surfmink_outline some = work->outline;
-    size_t dim = some.kind == SURFMINK_PLANE ? 2 : 3, at = start, next;
+    const unsigned char *sharp = work->options->sharp;
+    size_t n = some.n, dim = some.kind == SURFMINK_PLANE ? 2 : 3, at = start, k;
     some.n = *windings = 0;
     do {
-        next = surfmink_curve__step(work, at, step);
-        if (next <= at) ++*windings;
         if (some.kind == SURFMINK_SURFACE)
             work->corner[some.n] = (double)at;
         else
             memcpy(work->corner + dim * some.n, some.corner + dim * at, dim * sizeof *work->corner);
         if (some.normal) memcpy(work->normal + 3 * some.n, some.normal + 3 * at, 3 * sizeof *work->normal);
-        work->sharp[some.n] = work->options->sharp && work->options->sharp[at];
-        ++some.n;
-        at = next;
+        work->sharp[some.n++] = sharp && sharp[at];
+        for (k = 0; k < step && !(k > 0 && sharp && sharp[at]); ++k) {
+            at = at + 1 < n ? at + 1 : 0;
+            if (at == 0) ++*windings;
+        }
     } while (at != start);
     some.corner = work->corner;
     if (some.normal) some.normal = work->normal;
     return some;
 }
 
-/* K at all corners. */
+/* K at all corners, if it is asked for, and the numbers of the corners. */
 static inline int surfmink_curve__curvatures(const surfmink_curve__work *work, size_t *bad)
 {
     const surfmink_outline *o = &work->outline;
     size_t i;
     int status;
-    for (i = 0; i < o->n; ++i) {
+    for (i = 0; i < o->n && o->kind == SURFMINK_SURFACE && work->options->curvature_at; ++i) {
+        work->corner[i] = (double)i;
         work->twist[i] = 0;
         status =
             (work->options->curvature_at)(o->surface->context, o->corner + o->surface->stride * i, work->twist + i);
@@ -514,12 +506,11 @@ static inline int surfmink_curve__curvatures(const surfmink_curve__work *work, s
     return SURFMINK_OK;
 }
 
-/* What order 4 needs besides lengths and turns, of all corners (number is NULL) or of those with a number. */
+/* What order 4 needs besides lengths and turns. */
 static inline int surfmink_curve__look_around(surfmink_curve__work *work, const surfmink_outline *o,
-                                              const double *number, surfmink_curve__arcs *c, size_t *bad)
+                                              surfmink_curve__arcs *c, size_t *bad)
 {
-    size_t i = surfmink_curve__find_unlike(c->arc, c->sharp, c->n), next;
-    int status = SURFMINK_OK;
+    size_t i = surfmink_curve__find_unlike(c->arc, c->sharp, c->n);
     if (i < c->n) return surfmink_curve__blame(SURFMINK_CURVE_UNLIKE_EDGES, i, bad);
     if (o->kind == SURFMINK_EMBEDDED) {
         c->bend = work->bend;
@@ -527,12 +518,10 @@ static inline int surfmink_curve__look_around(surfmink_curve__work *work, const 
         return surfmink_curve_bends(o, work->bend, work->twist, bad);
     }
     if (o->kind != SURFMINK_SURFACE || !work->options->curvature_at) return SURFMINK_OK;
-    if (!number && (status = surfmink_curve__curvatures(work, bad)) != SURFMINK_OK) return status;
-    for (i = 0; i < c->n; ++i) {
-        next = surfmink_curve__next(c, i);
-        work->bend[i] = number ? (work->twist[(size_t)number[i]] + work->twist[(size_t)number[next]]) / 2
-                               : (work->twist[i] + work->twist[next]) / 2;
-    }
+    for (i = 0; i < c->n; ++i) work->bend[i] = work->twist[(size_t)work->corner[i]] / 2;
+    for (i = 0; i < c->n; ++i)
+        work->swept[i] = work->bend[i] + work->bend[surfmink_curve__next(c, i)]; /* the mean of both ends */
+    memcpy(work->bend, work->swept, c->n * sizeof *work->bend);
     c->curvature = work->bend;
     return SURFMINK_OK;
 }
@@ -578,8 +567,7 @@ static inline int surfmink_curve__measure_some(surfmink_curve__work *work, size_
     c->windings = windings;
     if (c->sharp) c->sharp = work->sharp;
     if (surfmink_edges(&some, work->arc, work->turn, NULL) != SURFMINK_OK) return 0;
-    if (work->options->order == 4 && surfmink_curve__look_around(work, &some, work->corner, c, NULL) != SURFMINK_OK)
-        return 0;
+    if (work->options->order == 4 && surfmink_curve__look_around(work, &some, c, NULL) != SURFMINK_OK) return 0;
     if (surfmink_curve__make_arcs(c, work->options->order) != SURFMINK_OK) return 0;
     return fabs(c->w.turning / (double)windings - turning) < surfmink_curve__pi;
 }
@@ -632,7 +620,7 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
     int p;
     surfmink_curve__integrate(all, max_rank + 1, work->fine, NULL);
     work->fine[0] = 1;
-    if (work->outline.n >= 12) /* every fourth corner makes a polygon */
+    if (work->outline.n >= 12 && all->w.length > 0) /* every fourth corner makes a polygon */
         twofold = surfmink_curve__deviations(work, 2, all, max_rank + 1, work->half);
     if (twofold >= 0) fourfold = surfmink_curve__deviations(work, 4, all, max_rank + 1, work->quarter);
     for (p = 0; p <= max_rank; ++p) {
@@ -692,13 +680,14 @@ static inline int surfmink_curve(const surfmink_outline *outline, const surfmink
     work.unit = surfmink_curve__unit(outline, w.length);
     c = surfmink_curve__arcs_of(&work, outline->n);
     if (options->order == 2) {
-        if ((status = surfmink_curve__make_arcs(&c, 2)) != SURFMINK_OK) c.w.turning = 0; /* edges too unlike to add */
-        status = surfmink_measure(outline, max_rank, out->mu, out->g, &w, bad);
-    } else if ((status = surfmink_curve__look_around(&work, outline, NULL, &c, bad)) == SURFMINK_OK) {
+        surfmink_curve__make_arcs(&c, 2); /* if that fails, c.w stays 0, and nothing is known of errors */
+        if ((status = surfmink_measure(outline, max_rank, out->mu, out->g, &w, bad)) != SURFMINK_OK) return status;
+    } else {
+        if ((status = surfmink_curve__curvatures(&work, bad)) != SURFMINK_OK) return status;
+        if ((status = surfmink_curve__look_around(&work, outline, &c, bad)) != SURFMINK_OK) return status;
         status = surfmink_curve__fourth(&c, outline, max_rank, &w, out);
-        surfmink_curve__blame(status, outline->n, bad);
     }
-    if (status != SURFMINK_OK) return status;
+    if (status != SURFMINK_OK) return surfmink_curve__blame(status, outline->n, bad);
     if (out->error) surfmink_curve__estimate(&work, &c, max_rank, out->error);
     if (out->w) *out->w = w;
     return SURFMINK_OK;
