@@ -8,7 +8,6 @@ static const struct {
     surfmink__measure_window *window;
 } instance_of[] = {
     {"public", NULL},
-    {"plain", surfmink__window},
 #if SURFMINK__NATIVE == SURFMINK__SSE2
     {"sse2", surfmink__window_sse2},
 #endif
