@@ -230,7 +230,7 @@ static void tilt_normals(chance *c, outline *o)
 
 static void lay(chance *c, enum surfmink_kind surface, const double *xy, size_t n, outline *o)
 {
-    double size = between(c, 0.02, 0.7), x = between(c, -9, 9);
+    double size = between(c, 0.02, surface == SURFMINK_EMBEDDED ? 0.4 : 0.7), x = between(c, -9, 9);
     size_t i, k;
     o->surface = surface;
     o->n = n;
@@ -752,7 +752,8 @@ THEOREM(noise_ends_at_1e_14)
     CHECK_NEAR(by_g[3], 0, 0);
 }
 
-/* In another unit, a power of two: the same bits, with the power of the unit that belongs there. */
+/* In another unit, a power of two: the same bits, with the power of the unit that belongs there. Normals may each have
+   a length of their own, which costs rounding. */
 THEOREM(units_do_not_matter)
 {
     static const int unit[6] = {1, -3, 60, -60, 400, -400};
@@ -760,7 +761,7 @@ THEOREM(units_do_not_matter)
     static pulled got, want;
     chance c = {14};
     int surface, which, k;
-    size_t i;
+    size_t i, numbers;
     for (surface = 0; surface < SURFACES; ++surface)
         for (which = 0; which < 30; ++which)
             for (k = 0; k < 6; ++k) {
@@ -771,26 +772,28 @@ THEOREM(units_do_not_matter)
                 scaled = o;
                 scaled.weights.mu = scaled.mu;
                 scaled.weights.theta = scaled.theta;
-                for (i = 0; i < dim_of(&o) * o.n; ++i) scaled.corner[i] *= scale;
-                for (i = 0; i < 3 * o.n && surface == SURFMINK_EMBEDDED; ++i) /* each has a length of its own */
-                    if (i / 3 % 2 == 0) scaled.normal[i] /= scale;
+                numbers = dim_of(&o) * o.n;
+                for (i = 0; i < numbers; ++i) scaled.corner[i] *= scale;
+                for (i = 0; i < 3 * o.n; ++i)
+                    if (which % 2 && i / 3 % 2 == 0) scaled.normal[i] /= scale;
                 CASE("%s %d, 2^%d", surface_name[surface], which, unit[k]);
                 CHECK_OK(gradient(&o, &want));
                 CHECK_OK(gradient(&scaled, &got));
-                for (i = 0; i < dim_of(&o) * o.n; ++i) got.by_corner[i] *= scale;
-                CHECK_SAME(got.by_corner, want.by_corner, dim_of(&o) * o.n);
-                for (i = 0; i < 3 * o.n && surface == SURFMINK_EMBEDDED; ++i)
-                    if (i / 3 % 2 == 0) got.by_normal[i] /= scale;
-                if (surface == SURFMINK_EMBEDDED &&
-                    (unit[k] > 50 || unit[k] < -50)) /* normals of such lengths are scaled */
-                    CHECK_NEAR(distance(got.by_normal, want.by_normal, 3 * o.n), 0,
-                               1e-12 * norm_of(want.by_normal, 3 * o.n));
-                if (surface == SURFMINK_EMBEDDED && unit[k] < 50 && unit[k] > -50)
-                    CHECK_SAME(got.by_normal, want.by_normal, 3 * o.n);
+                for (i = 0; i < numbers; ++i) got.by_corner[i] *= scale;
+                for (i = 0; i < 3 * o.n; ++i)
+                    if (which % 2 && i / 3 % 2 == 0) got.by_normal[i] /= scale;
+                CHECK_NEAR(distance(got.by_corner, want.by_corner, numbers), 0,
+                           1e-13 * norm_of(want.by_corner, numbers));
+                if (surface == SURFMINK_EMBEDDED)
+                    CHECK_NEAR(distance(got.by_normal, want.by_normal, numbers), 0,
+                               1e-13 * norm_of(want.by_normal, numbers));
+                if (which % 2 && surface == SURFMINK_EMBEDDED) continue;
+                CHECK_SAME(got.by_corner, want.by_corner, numbers);
+                if (surface == SURFMINK_EMBEDDED) CHECK_SAME(got.by_normal, want.by_normal, numbers);
             }
 }
 
-/* On the sphere kernels have no unit: it comes in with the radius. */
+/* On the sphere the unit comes in with the radius. */
 THEOREM(weights_of_lengths_have_the_unit_of_lengths)
 {
     static outline o;
