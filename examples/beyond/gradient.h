@@ -300,11 +300,13 @@ static inline void surfmink_gradient__plane(const surfmink_outline *o, const sur
     by_corner[1] += before[1];
 }
 
-/* Corners of a sphere, of absurd units or far off, in units of their own: only directions count. */
-static inline double surfmink_gradient__ray(const double *corner, double x[3])
+/* A corner of a sphere in the units of corner 0; if far off, in units of its own: only directions count. */
+static inline double surfmink_gradient__ray(const double *corner, double scale, double x[3])
 {
-    double scale = surfmink_gradient__scale(corner);
     int k;
+    for (k = 0; k < 3; ++k) x[k] = corner[k] * scale;
+    if (surfmink_gradient__dot(x, x) > 1e-200 && surfmink_gradient__dot(x, x) < 1e200) return scale;
+    scale = surfmink_gradient__scale(corner);
     for (k = 0; k < 3; ++k) x[k] = corner[k] * scale;
     return scale;
 }
@@ -316,14 +318,14 @@ static inline void surfmink_gradient__sphere(const surfmink_outline *o, const su
                                              double *by_corner)
 {
     double x[3], y[3], b[3], m[3], t_x[3], t_y[3], before[3] = {0, 0, 0}, x_scale, y_scale, x_norm, y_norm;
-    double sine, rise, half, step, along, across;
+    double sine, rise, half, step, along, across, unit = surfmink_gradient__scale(o->corner);
     size_t i, next;
     int k;
-    x_scale = surfmink_gradient__ray(o->corner, x);
+    x_scale = surfmink_gradient__ray(o->corner, unit, x);
     x_norm = sqrt(surfmink_gradient__dot(x, x));
     for (i = 0; i < o->n; ++i) {
         next = i + 1 < o->n ? i + 1 : 0;
-        y_scale = surfmink_gradient__ray(o->corner + 3 * next, y);
+        y_scale = surfmink_gradient__ray(o->corner + 3 * next, unit, y);
         y_norm = sqrt(surfmink_gradient__dot(y, y));
         for (k = 0; k < 3; ++k) b[k] = y[k] - x[k];
         for (k = 0; k < 3; ++k) t_x[k] = y[k] + x[k];
