@@ -11,7 +11,7 @@
      patic tissue;
      void *memory = malloc(patic_bytes(offset, cells, 6));
      patic_build(&tissue, &all, offset, cells, 6, -1, memory);                  // -1: the usual tolerance of welding
-     patic_field(&tissue, 6, z);                                                // 2 doubles a cell
+     patic_field(&tissue, 6, z, NULL);                                          // 2 doubles a cell
      patic_coarsen(&tissue, 6, 1.5 * tissue.spacing, z, coarse);                // optional
      patic_charges(&tissue, 6, coarse);
      for (i = 0, count = patic_defects(&tissue, coarse); i < count; ++i)
@@ -675,8 +675,9 @@ static inline int patic__is_directed(const double *z, size_t c)
 /* z of all cells: mu_p exp(i p psi). 0 of refused cells, and of those without direction.
    p                  1 .. max_rank
    z         2 cells  out
+   mu          cells  out: mu_p, with a direction or without; or NULL
    Errors: BAD_ARGUMENT. Cost: O(corners p). */
-static inline int patic_field(patic *t, int p, double *z)
+static inline int patic_field(patic *t, int p, double *z, double *mu_p)
 {
     size_t c;
     if (p < 1 || p > t->max_rank) return SURFMINK_BAD_ARGUMENT;
@@ -687,6 +688,7 @@ static inline int patic_field(patic *t, int p, double *z)
         double mu, psi, direction[3] = {0, 0, 0};
         size_t k, dim = o.kind == SURFMINK_PLANE ? 2 : 3;
         z[2 * c] = z[2 * c + 1] = 0;
+        if (mu_p) mu_p[c] = 0;
         if (t->cell[c].status != SURFMINK_OK) continue;
         memset(&middle, 0, sizeof middle);
         middle.direction = g + 2 * ((size_t)p + 1);
@@ -698,6 +700,7 @@ static inline int patic_field(patic *t, int p, double *z)
             surfmink_director(&o, length, phase, g, p, scratch, &middle) != SURFMINK_OK)
             continue;
         mu = hypot(g[2 * p], g[2 * p + 1]) / g[0];
+        if (mu_p) mu_p[c] = mu;
         if (!(mu >= patic__no_direction && middle.coherence[p] >= patic__no_direction)) continue;
         for (k = 0; k < dim; ++k) direction[k] = middle.direction[(size_t)p * dim + k];
         psi = patic__angle(&t->cell[c], direction);
