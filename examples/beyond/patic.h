@@ -731,11 +731,15 @@ static const double patic__rounding = 1e-9;
    without going farther than `radius` or to where normals are 90 degrees or more from that of i; weighted by length.
    radius             >= 0; 0 gives z again
    z, coarse 2 cells  in, out; not the same array
-   Errors: BAD_ARGUMENT. Cost: O(cells times cells in a ball). */
+   Errors: BAD_ARGUMENT. Cost: O(cells x cells in a ball). */
 static inline int patic_coarsen(patic *t, int p, double radius, const double *z, double *coarse)
 {
     size_t c, i, j, k, begun, filled;
     if (p < 1 || !(radius >= 0)) return SURFMINK_BAD_ARGUMENT;
+    if (!(radius > 0)) {
+        memcpy(coarse, z, 2 * t->cells * sizeof *z);
+        return SURFMINK_OK;
+    }
     for (c = 0; c < t->cells; ++c) t->mark[c] = PATIC_NONE;
     for (c = 0; c < t->cells; ++c) {
         const patic_cell *cell = &t->cell[c];
@@ -750,7 +754,6 @@ static inline int patic_coarsen(patic *t, int p, double radius, const double *z,
             patic__carry_field(&t->cell[i], cell, p, z + 2 * i, carried);
             re += t->cell[i].length * carried[0];
             im += t->cell[i].length * carried[1];
-            if (!(radius > 0)) break;
             for (k = t->neighbour_at[i]; k < t->neighbour_at[i + 1]; ++k) {
                 j = t->neighbour[k];
                 if (t->mark[j] == c) continue;
@@ -971,19 +974,27 @@ static inline void patic__add_corner(patic *t, size_t l)
     }
 }
 
-/* What one loop adds to the defect of its core: its charge, and the outermost steps, whose other side is no loop of the
-   core. A core that a boundary walk touches has a charge that its arbitrary directions decide: margin 0. */
+/* What a dual face adds to the defect of its core: its charge, and the outermost steps, whose other side is no face of
+   the core. */
 static inline void patic__add_to_core(const patic *t, const double *z, const patic_loop *loop, patic_defect *d)
 {
     size_t i, h = loop->first, c, other;
-    if (loop->closed && loop->steps >= 3) d->k += loop->k;
-    if (!loop->closed) d->margin = 0;
-    for (i = 0; i < loop->steps && loop->closed; ++i, h = patic__next_in_loop(t, h)) {
+    d->k += loop->k;
+    for (i = 0; i < loop->steps; ++i, h = patic__next_in_loop(t, h)) {
         c = t->owner[h];
         if (t->queue[c] == PATIC_NONE) d->order = fmin(d->order, hypot(z[2 * c], z[2 * c + 1]));
         other = patic__core_at(t, &t->loop[t->loop_at[t->twin[h]]]);
         if (other != d->core) d->margin = fmin(d->margin, fmax(0, 1 - fabs(t->step[h]) / patic__pi));
     }
+}
+
+/* A boundary walk through a core: the arbitrary directions there decide how much of the charge is its own, so the core
+   has no margin. */
+static inline void patic__walk_through_cores(patic *t, const patic_loop *walk)
+{
+    size_t i, h = walk->first;
+    for (i = 0; i < walk->steps; ++i, h = patic__next_in_loop(t, h))
+        if (t->queue[t->owner[h]] != PATIC_NONE) t->defect[t->mark[t->queue[t->owner[h]]]].margin = 0;
 }
 
 /* Finds the defects of the field that patic_charges has seen: t->defect, with charges that are not 0.
@@ -1002,9 +1013,11 @@ static inline size_t patic_defects(patic *t, const double *z)
     }
     for (l = 0; l < t->loops; ++l) {
         core = patic__core_at(t, &t->loop[l]);
-        if (core != PATIC_NONE)
+        if (!t->loop[l].closed)
+            patic__walk_through_cores(t, &t->loop[l]);
+        else if (core != PATIC_NONE)
             patic__add_to_core(t, z, &t->loop[l], &t->defect[t->mark[core]]);
-        else if (t->loop[l].closed && t->loop[l].k != 0)
+        else if (t->loop[l].k != 0)
             patic__add_corner(t, l);
     }
     for (i = 0, c = 0; c < t->cells; ++c) { /* centres of cores: loop counts their cells for now */
