@@ -108,11 +108,12 @@ typedef struct patic {
     patic_defect *defect;             /* defects, from patic_defects */
     size_t *neighbour, *neighbour_at; /* those of cell c: neighbour[neighbour_at[c]] .. [neighbour_at[c + 1] - 1] */
     size_t *vertex, *twin, *owner,
-        *loop_at;         /* of each half-edge: the first corner of all at the vertex where it begins;
+        *loop_at;                 /* of each half-edge: the first corner of all at the vertex where it begins;
                                      the other side, or NONE; its cell; its loop, or NONE */
-    double *step;         /* of each half-edge: w of section 5, radians */
-    size_t *table, slots; /* hash table, for sections 2 */
-    size_t *mark, *queue; /* cells each */
+    double *length, *phase, *lag; /* of each edge: l, f, and chi - f of director.h */
+    double *step;                 /* of each half-edge: w of section 5, radians */
+    size_t *table, slots;         /* hash table, for sections 2 */
+    size_t *mark, *queue;         /* cells each */
     double *scratch;
 } patic;
 
@@ -226,9 +227,7 @@ static inline void *patic__take(char *base, size_t *used, size_t count, size_t s
 
 static inline size_t patic__lay_out(patic *t, char *memory)
 {
-    size_t corners = t->offset[t->cells], longest = 0, used = 0, i, n = t->cells, ranks = (size_t)t->max_rank + 1;
-    for (i = 0; i < n; ++i)
-        if (t->offset[i + 1] - t->offset[i] > longest) longest = t->offset[i + 1] - t->offset[i];
+    size_t corners = t->offset[t->cells], used = 0, n = t->cells, ranks = (size_t)t->max_rank + 1;
     for (t->slots = 16; t->slots < 2 * corners; t->slots *= 2) continue;
     t->cell = (patic_cell *)patic__take(memory, &used, n, sizeof *t->cell);
     t->loop = (patic_loop *)patic__take(memory, &used, corners / 2 + n, sizeof *t->loop);
@@ -240,15 +239,18 @@ static inline size_t patic__lay_out(patic *t, char *memory)
     t->twin = (size_t *)patic__take(memory, &used, corners, sizeof *t->twin);
     t->owner = (size_t *)patic__take(memory, &used, corners, sizeof *t->owner);
     t->loop_at = (size_t *)patic__take(memory, &used, corners, sizeof *t->loop_at);
+    t->length = (double *)patic__take(memory, &used, corners, sizeof *t->length);
+    t->phase = (double *)patic__take(memory, &used, corners, sizeof *t->phase);
+    t->lag = (double *)patic__take(memory, &used, corners, sizeof *t->lag);
     t->step = (double *)patic__take(memory, &used, corners, sizeof *t->step);
     t->table = (size_t *)patic__take(memory, &used, t->slots, sizeof *t->table);
     t->mark = (size_t *)patic__take(memory, &used, n, sizeof *t->mark);
     t->queue = (size_t *)patic__take(memory, &used, n, sizeof *t->queue);
-    t->scratch = (double *)patic__take(memory, &used, 3 * longest + 7 * ranks, sizeof *t->scratch);
+    t->scratch = (double *)patic__take(memory, &used, 4 * ranks, sizeof *t->scratch);
     return used + 16; /* for memory that begins anywhere */
 }
 
-/* Bytes that patic_build needs: about 110 a corner and 300 a cell. 0 if offsets fall. */
+/* Bytes that patic_build needs: about 150 a corner and 350 a cell. 0 if offsets fall. */
 static inline size_t patic_bytes(const size_t *offset, size_t cells, int max_rank)
 {
     patic t;
@@ -280,17 +282,18 @@ static inline void patic__measure_cell(patic *t, size_t c)
     surfmink_outline o = patic_outline(t, c);
     surfmink_functionals w;
     surfmink_middle middle;
-    double *length = t->scratch, *turning = length + o.n, g[2] = {1, 0};
+    double *length = t->length + t->offset[c], *phase = t->phase + t->offset[c], *lag = t->lag + t->offset[c];
+    double g[2] = {1, 0};
     int k, status;
     memset(cell, 0, sizeof *cell);
+    memset(&middle, 0, sizeof middle);
     cell->other = PATIC_NONE;
     cell->bad = o.n;
     status = surfmink_measure(&o, 0, NULL, NULL, &w, &cell->bad);
-    if (status == SURFMINK_OK) status = surfmink_edges(&o, length, turning, &cell->bad);
-    if (status == SURFMINK_OK) status = surfmink_phases(turning, o.n, SURFMINK_CORRECTED, turning);
-    memset(&middle, 0, sizeof middle);
+    if (status == SURFMINK_OK) status = surfmink_edges(&o, length, phase, &cell->bad);
+    if (status == SURFMINK_OK) status = surfmink_phases(phase, o.n, SURFMINK_CORRECTED, phase);
     if (status == SURFMINK_OK) {
-        status = surfmink_director(&o, length, turning, g, 0, turning, &middle);
+        status = surfmink_director(&o, length, phase, g, 0, lag, &middle);
         if (status == SURFMINK_ZERO_NORMAL) status = SURFMINK_OPPOSITE_NORMALS; /* no corner lacks one: they cancel */
     }
     cell->status = status;
@@ -676,36 +679,27 @@ static inline int patic__is_directed(const double *z, size_t c)
    p                  1 .. max_rank
    z         2 cells  out
    mu          cells  out: mu_p, with a direction or without; or NULL
-   Errors: BAD_ARGUMENT. Cost: O(corners p). */
+   Errors: BAD_ARGUMENT. Cost: O(corners p), and a sine and a cosine an edge. */
 static inline int patic_field(patic *t, int p, double *z, double *mu_p)
 {
     size_t c;
     if (p < 1 || p > t->max_rank) return SURFMINK_BAD_ARGUMENT;
     for (c = 0; c < t->cells; ++c) {
-        surfmink_outline o = patic_outline(t, c);
-        surfmink_middle middle;
-        double *length = t->scratch, *phase = length + o.n, *scratch = phase + o.n, *g = scratch + o.n;
-        double mu, psi, direction[3] = {0, 0, 0};
-        size_t k, dim = o.kind == SURFMINK_PLANE ? 2 : 3;
+        size_t at = t->offset[c], n = t->offset[c + 1] - at;
+        double *g = t->scratch, *mean = g + 2 * ((size_t)p + 1), *sum = g + 2 * p, *sharp = mean + 2 * p;
+        double mu, angle;
         z[2 * c] = z[2 * c + 1] = 0;
         if (mu_p) mu_p[c] = 0;
         if (t->cell[c].status != SURFMINK_OK) continue;
-        memset(&middle, 0, sizeof middle);
-        middle.direction = g + 2 * ((size_t)p + 1);
-        middle.coherence = middle.direction + 3 * ((size_t)p + 1);
-        /* none of these can fail, for the cell has been measured */
-        if (surfmink_edges(&o, length, phase, NULL) != SURFMINK_OK ||
-            surfmink_phases(phase, o.n, SURFMINK_CORRECTED, phase) != SURFMINK_OK ||
-            surfmink_irreducible(length, phase, o.n, p, g) != SURFMINK_OK ||
-            surfmink_director(&o, length, phase, g, p, scratch, &middle) != SURFMINK_OK)
-            continue;
-        mu = hypot(g[2 * p], g[2 * p + 1]) / g[0];
+        if (surfmink_irreducible(t->length + at, t->phase + at, n, p, g) != SURFMINK_OK ||
+            surfmink_irreducible(t->length + at, t->lag + at, n, p, mean) != SURFMINK_OK)
+            continue; /* never: they have been measured */
+        mu = hypot(sum[0], sum[1]) / g[0];
         if (mu_p) mu_p[c] = mu;
-        if (!(mu >= patic__no_direction && middle.coherence[p] >= patic__no_direction)) continue;
-        for (k = 0; k < dim; ++k) direction[k] = middle.direction[(size_t)p * dim + k];
-        psi = patic__angle(&t->cell[c], direction);
-        z[2 * c] = mu * cos(p * psi);
-        z[2 * c + 1] = mu * sin(p * psi);
+        if (!(mu >= patic__no_direction && hypot(sharp[0], sharp[1]) >= patic__no_direction * g[0])) continue;
+        angle = atan2(sum[1], sum[0]) + atan2(sharp[1], sharp[0]);
+        z[2 * c] = mu * cos(angle);
+        z[2 * c + 1] = mu * sin(angle);
     }
     return SURFMINK_OK;
 }
