@@ -76,7 +76,7 @@
      winds, or encloses a curvature near 2 pi, every outline that is not refused has
        L       to 1e-15, relative
        S       to 2e-15 c, relative; through callbacks to 2e-15 (c + sqrt(n) / 50)
-       mu_p    to 1e-14 (1 + c + c^2 / 50), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
+       mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
        area    to 2e-15 of half the sum of |x_i - x_0| l_i; slivers are small beside that. Of embedded outlines it is an
                estimate: see surfmink_area
      by each way to measure: single calls, steps, callbacks, batches; at any size, from 3 to 1e5 corners, for edges from
