@@ -297,6 +297,7 @@ static int trace_all(run *r, image_error *error)
     r->out.graph = &r->graph;
     r->out.points = &r->points;
     r->out.space = o->positions ? &r->space : NULL;
+    r->out.welds = o->welds;
     return outlines_make(&r->out, error);
 }
 

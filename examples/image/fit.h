@@ -107,7 +107,7 @@ static inline int fit__leaving(const trace *t, const junction *j, uint32_t half,
 {
     const chain *c = &t->chains[half / 2];
     double point[FIT_FIRST][2];
-    size_t k, count = c->cracks < FIT_FIRST ? c->cracks : FIT_FIRST, row = j->row, column = j->column;
+    size_t k, count = c->cracks < FIT_FIRST ? c->cracks : (size_t)FIT_FIRST, row = j->row, column = j->column;
     int32_t turns = 0;
     for (k = 0; k < count; ++k) {
         int way = half % 2 ? (t->way[c->first + c->cracks - 1 - k] + 2) % 4 : t->way[c->first + k];

@@ -15,12 +15,14 @@ typedef struct outlines {
     regions *map;
     const trace *graph;
     const fit *points;
-    const chart *space;         /* NULL: the outlines are flat */
+    const chart *space; /* NULL: the outlines are flat */
+    int welds;
     double *place;              /* 6 for each point: position and normal; NULL without a chart */
     unsigned char *is_used;     /* each point: 1 if a cell that is measured has it, and its place is known */
     unsigned char *is_mirrored; /* each region: the chart shows it mirrored, and it is turned round */
     outline_corner *corner;     /* of the outline at hand */
     size_t count, room;
+    uint32_t *same; /* each point: the one that stands for it, often itself; NULL without welding */
     double *normal; /* of the corners of pixels along it */
     size_t normal_room;
 } outlines;
@@ -31,6 +33,7 @@ static inline void outlines_free(outlines *o)
     free(o->is_used);
     free(o->is_mirrored);
     free(o->corner);
+    free(o->same);
     free(o->normal);
     memset(o, 0, sizeof *o);
 }
@@ -69,6 +72,20 @@ static inline int outlines__add_half(outlines *o, uint32_t half, int64_t *turns)
     return 1;
 }
 
+/* Puts the point that stands for each in its place, once. */
+static inline void outlines__join(outlines *o)
+{
+    size_t k, kept = 0;
+    for (k = 0; k < o->count; ++k) {
+        outline_corner corner = o->corner[k];
+        corner.point = o->same[corner.point];
+        if (kept == 0 || o->corner[kept - 1].point != corner.point || o->corner[kept - 1].turns != corner.turns)
+            o->corner[kept++] = corner;
+    }
+    while (kept > 1 && o->corner[kept - 1].point == o->corner[0].point && o->corner[kept - 1].turns == 0) --kept;
+    o->count = kept;
+}
+
 /* The corners of a cell, counter-clockwise in the picture or, if the chart is mirrored, in space. */
 static inline int outlines_walk(outlines *o, size_t region, image_error *error)
 {
@@ -80,6 +97,7 @@ static inline int outlines_walk(outlines *o, size_t region, image_error *error)
         if (!outlines__add_half(o, half, &turns)) return image_no_memory(error);
         half = trace_next(o->graph, half);
     } while (half != o->graph->outline[region]);
+    if (o->same) outlines__join(o);
     for (k = 0; k < o->count / 2 && o->is_mirrored[region]; ++k) {
         outline_corner kept = o->corner[k];
         o->corner[k] = o->corner[o->count - 1 - k];
@@ -177,9 +195,68 @@ static inline void outlines__place(outlines *o, size_t region)
     o->is_mirrored[region] = chart_dot(area, mean) < 0;
 }
 
+/* --- welding ------------------------------------------------------------------------------------------------------ */
+
+/* How far two points are apart: in space or, without a chart, in the picture. */
+static inline double outlines__distance(const outlines *o, size_t a, size_t b)
+{
+    size_t size = o->space ? 6 : 2, k;
+    const double *place = o->space ? o->place : o->points->xy;
+    double d[3] = {0, 0, 0};
+    for (k = 0; k < 3 && k < size; ++k) d[k] = place[size * a + k] - place[size * b + k];
+    return sqrt(chart_dot(d, d));
+}
+
+/* The point that stands for this one; the way to it is halved. */
+static inline uint32_t outlines__find(uint32_t *same, uint32_t point)
+{
+    while (same[point] != point) point = same[point] = same[same[point]];
+    return point;
+}
+
+/* A map that is constant over some pixels has corners at the same place, and edges without length. Neighbours along an
+   outline that are this close become one point, for every cell that has them. */
+static inline int outlines__weld(outlines *o, image_error *error)
+{
+    const double near = 1e-6; /* of the mean edge */
+    double sum = 0, edges = 0;
+    size_t region, k, next;
+    int round;
+    uint32_t *same = (uint32_t *)malloc((o->points->count + 1) * sizeof *same);
+    if (!same) return image_no_memory(error);
+    for (k = 0; k < o->points->count; ++k) same[k] = (uint32_t)k;
+    for (round = 0; round < 2; ++round) /* first the mean, then the edges that are short */
+        for (region = 1; region < o->map->count; ++region) {
+            if (o->map->flag[region] & REGION_DROPPED) continue;
+            if (!outlines_walk(o, region, error)) {
+                free(same);
+                return 0;
+            }
+            for (k = 0; k < o->count; ++k) {
+                uint32_t a, b;
+                double length;
+                next = k + 1 < o->count ? k + 1 : 0;
+                a = o->corner[k].point;
+                b = o->corner[next].point;
+                length = outlines__distance(o, a, b);
+                if (round == 0 && o->corner[k].turns == o->corner[next].turns) {
+                    sum += length;
+                    ++edges;
+                } else if (round == 1 && length * edges < near * sum) {
+                    a = outlines__find(same, a);
+                    b = outlines__find(same, b);
+                    same[a > b ? a : b] = a > b ? b : a;
+                }
+            }
+        }
+    for (k = 0; k < o->points->count; ++k) same[k] = outlines__find(same, (uint32_t)k);
+    o->same = same;
+    return 1;
+}
+
 /* --- all outlines ------------------------------------------------------------------------------------------------- */
 
-/* Decides which cells are measured, and where their points are. `o` is filled in by the caller as far as its fourth
+/* Decides which cells are measured, and where their points are. `o` is filled in by the caller as far as its fifth
    member; on failure outlines_free gives back the rest. */
 static inline int outlines_make(outlines *o, image_error *error)
 {
@@ -198,11 +275,13 @@ static inline int outlines_make(outlines *o, image_error *error)
         else if (o->space)
             outlines__place(o, region);
     }
+    if (o->welds && !outlines__weld(o, error)) return 0;
     memset(o->is_used, 0, points); /* from here on: by cells that are measured */
     for (region = 1; region < o->map->count; ++region) {
         if (o->map->flag[region] & REGION_DROPPED) continue;
         if (!outlines_walk(o, region, error)) return 0;
-        for (k = 0; k < o->count; ++k) o->is_used[o->corner[k].point] = 1;
+        if (o->count < 3) o->map->flag[region] |= REGION_FEW; /* all of it has been welded */
+        for (k = 0; k < o->count && o->count >= 3; ++k) o->is_used[o->corner[k].point] = 1;
     }
     return 1;
 }

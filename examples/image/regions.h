@@ -120,14 +120,14 @@ static inline int regions__check(const image *im, double value, size_t row, size
 static inline int regions__scan(regions *r, const image *im, double background, regions__table *t, image_error *error)
 {
     size_t row, column;
-    double last = -1; /* neighbours are mostly alike */
     uint32_t index = 0;
-    for (row = 0; row < r->height; ++row)
-        for (column = 0; column < r->width; ++column) {
-            double value = image_value(im, 0, row, column);
-            if (value < last || value > last || value != value) {
+    for (row = 0; row < r->height; ++row) {
+        const unsigned char *last = NULL, *here = image_at(im, 0, row, 0);
+        for (column = 0; column < r->width; ++column, here += im->sample) {
+            if (!last || memcmp(here, last, im->sample) != 0) { /* neighbours are mostly alike */
+                double value = image_value(im, 0, row, column);
                 if (!regions__check(im, value, row, column, error)) return 0;
-                last = value;
+                last = here;
                 index = 0;
                 if (value > 0 && (value < background || value > background)) {
                     index = regions__index(t, value);
@@ -136,6 +136,7 @@ static inline int regions__scan(regions *r, const image *im, double background, 
             }
             r->of[row * r->width + column] = index;
         }
+    }
     return 1;
 }
 

@@ -166,6 +166,7 @@ static inline int trace__find_junctions(trace *t, image_error *error)
         for (column = first; row > 0 && row < r->height && column < r->width; ++column) {
             junction *j;
             trace__around(r, row, column, region);
+            if (region[0] == region[1] && region[2] == region[3]) continue; /* mostly, and quickly told */
             if (!trace__is_junction(region)) continue;
             if (t->junction_count == room) {
                 room = room ? 2 * room : 256;
@@ -309,11 +310,13 @@ static inline int trace__find_chains(trace *t, image_error *error)
         if (top[0] != top[r->width - 1] && !trace__follow(t, 0, 0, TRACE_DOWN, TRACE_NONE, error)) return 0;
         if (bottom[0] != bottom[r->width - 1] && !trace__follow(t, r->height, 0, TRACE_UP, TRACE_NONE, error)) return 0;
     }
-    for (row = 1; row < r->height; ++row)
+    for (row = 2; row < r->height;
+         ++row) /* a closed chain has a crack that goes up, from one inner corner to another */
         for (column = r->wraps ? 0 : 1; column < r->width; ++column) {
-            trace__around(r, row, column, region);
-            for (way = TRACE_UP; way < 4; way += 2) /* a closed chain has a crack that goes up or down */
-                if (trace__has_way(region, way) && !trace__follow(t, row, column, way, TRACE_NONE, error)) return 0;
+            const uint32_t *above = r->of + (row - 1) * r->width;
+            if (above[column] != above[column > 0 ? column - 1 : r->width - 1] &&
+                !trace__follow(t, row, column, TRACE_UP, TRACE_NONE, error))
+                return 0;
         }
     return 1;
 }

@@ -29,6 +29,17 @@ static inline char *write_label(char *to, double label)
     return to + snprintf(to, 24, "%.0f", label);
 }
 
+/* The text of a count, faster than by printf: every line of the table has one. */
+static inline char *write__count(char *to, size_t count)
+{
+    char digit[24];
+    size_t n = 0;
+    do digit[n++] = (char)('0' + count % 10);
+    while ((count /= 10) > 0);
+    while (n > 0) *to++ = digit[--n];
+    return to;
+}
+
 /* Numbers with `separator` before each; the zero below a picture is not negative. */
 static inline char *write__numbers(const writer *w, char *to, char separator, const double *number, size_t count)
 {
@@ -69,7 +80,8 @@ static inline int write_table(const writer *w, outlines *o, image_error *error)
         if (!outlines_walk(o, region, error)) return 0;
         head = write_label(line, o->map->label[region]);
         for (k = 0; k < o->count; ++k) {
-            at = head + snprintf(head, 24, "\t%lu", (unsigned long)k);
+            *head = '\t';
+            at = write__count(head + 1, k);
             at = write__numbers(w, at, '\t', number, write__coordinates(w, o, &o->corner[k], number));
             *at++ = '\n';
             fwrite(line, 1, (size_t)(at - line), w->file);
