@@ -43,7 +43,7 @@ static const char *const help[] = {
     "  --flip                turns all normals round\n"
     "  --spacing S[,S]       width and height of a pixel in the plane (default 1)\n"
     "  --wrap x              the right side of the image goes on at the left, as on a cylinder\n"
-    "  --lines               0 is also a line between cells, up to 4 pixels wide, and is shared out between them\n"
+    "  --lines               0 is also a line between cells, up to 3 pixels wide, and is shared out between them\n"
     "  --background N        the label N is no cell either\n"
     "  --weld                corners nearer than a millionth of the mean edge become one\n"
     "  --off FILE            also writes a polygon mesh, in which neighbours share their points; with normals on a\n"

@@ -18,7 +18,7 @@ typedef struct outlines {
     const chart *space; /* NULL: the outlines are flat */
     int welds;
     double *place;              /* 6 for each point: position and normal; NULL without a chart */
-    unsigned char *is_used;     /* each point: 1 if a cell that is measured has it, and its place is known */
+    unsigned char *is_placed;   /* each point: its place is known */
     unsigned char *is_mirrored; /* each region: the chart shows it mirrored, and it is turned round */
     outline_corner *corner;     /* of the outline at hand */
     size_t count, room;
@@ -30,7 +30,7 @@ typedef struct outlines {
 static inline void outlines_free(outlines *o)
 {
     free(o->place);
-    free(o->is_used);
+    free(o->is_placed);
     free(o->is_mirrored);
     free(o->corner);
     free(o->same);
@@ -173,10 +173,10 @@ static inline void outlines__place(outlines *o, size_t region)
     for (k = 0; k < o->count; ++k) {
         size_t point = o->corner[k].point;
         double *place = o->place + 6 * point;
-        if (!o->is_used[point])
-            o->is_used[point] = (unsigned char)chart_point(o->space, o->points->xy[2 * point],
-                                                           o->points->xy[2 * point + 1], place, place + 3);
-        if (!o->is_used[point]) {
+        if (!o->is_placed[point])
+            o->is_placed[point] = (unsigned char)chart_point(o->space, o->points->xy[2 * point],
+                                                             o->points->xy[2 * point + 1], place, place + 3);
+        if (!o->is_placed[point]) {
             o->map->flag[region] |= REGION_RIM;
             return;
         }
@@ -256,33 +256,35 @@ static inline int outlines__weld(outlines *o, image_error *error)
 
 /* --- all outlines ------------------------------------------------------------------------------------------------- */
 
+/* Fewer than three corners enclose nothing: so it may be between junctions, and after welding. */
+static inline int outlines__count(outlines *o, size_t region, image_error *error)
+{
+    if (!outlines_walk(o, region, error)) return 0;
+    if (o->count < 3) o->map->flag[region] |= REGION_FEW;
+    return 1;
+}
+
 /* Decides which cells are measured, and where their points are. `o` is filled in by the caller as far as its fifth
    member; on failure outlines_free gives back the rest. */
 static inline int outlines_make(outlines *o, image_error *error)
 {
-    size_t region, k, points = o->points->count;
+    size_t region, points = o->points->count;
     o->is_mirrored = (unsigned char *)calloc(o->map->count, 1);
-    o->is_used = (unsigned char *)calloc(points + 1, 1);
+    if (o->space) o->is_placed = (unsigned char *)calloc(points + 1, 1);
     if (o->space) o->place = (double *)malloc((6 * points + 1) * sizeof *o->place);
-    if (!o->is_mirrored || !o->is_used || (o->space && !o->place)) return image_no_memory(error);
+    if (!o->is_mirrored || (o->space && (!o->is_placed || !o->place))) return image_no_memory(error);
     for (region = 1; region < o->map->count; ++region) {
         if (o->map->flag[region] & REGION_DROPPED) continue;
+        if (!o->space && o->points->kind != FIT_JUNCTIONS) continue; /* a corner for each crack: four at least */
         if (o->space && !outlines__check_chart(o, region, error)) return 0;
         if (o->map->flag[region] & REGION_DROPPED) continue;
-        if (!outlines_walk(o, region, error)) return 0;
-        if (o->count < 3)
-            o->map->flag[region] |= REGION_FEW;
-        else if (o->space)
-            outlines__place(o, region);
+        if (!outlines__count(o, region, error)) return 0;
+        if (o->space && o->count >= 3) outlines__place(o, region);
     }
-    if (o->welds && !outlines__weld(o, error)) return 0;
-    memset(o->is_used, 0, points); /* from here on: by cells that are measured */
-    for (region = 1; region < o->map->count; ++region) {
-        if (o->map->flag[region] & REGION_DROPPED) continue;
-        if (!outlines_walk(o, region, error)) return 0;
-        if (o->count < 3) o->map->flag[region] |= REGION_FEW; /* all of it has been welded */
-        for (k = 0; k < o->count && o->count >= 3; ++k) o->is_used[o->corner[k].point] = 1;
-    }
+    if (!o->welds) return 1;
+    if (!outlines__weld(o, error)) return 0;
+    for (region = 1; region < o->map->count; ++region)
+        if (!(o->map->flag[region] & REGION_DROPPED) && !outlines__count(o, region, error)) return 0;
     return 1;
 }
 

@@ -92,22 +92,42 @@ static inline int write_table(const writer *w, outlines *o, image_error *error)
 
 /* --- the mesh ----------------------------------------------------------------------------------------------------- */
 
-/* OFF, or NOFF with normals: every point once, in the order of their numbers, and a face for every cell that the table
-   has. */
+/* The number of each point in the mesh, from 1 on, in the order of the points; 0 for those of no cell that is measured.
+   NULL if memory runs out. */
+static inline uint32_t *write__number(outlines *o, size_t *points, size_t *faces, image_error *error)
+{
+    size_t region, k;
+    uint32_t *number = (uint32_t *)calloc(o->points->count + 1, sizeof *number);
+    *points = *faces = 0;
+    if (!number) image_no_memory(error);
+    for (region = 1; number && region < o->map->count; ++region) {
+        if (o->map->flag[region] & REGION_DROPPED) continue;
+        ++*faces;
+        if (!outlines_walk(o, region, error)) {
+            free(number);
+            return NULL;
+        }
+        for (k = 0; k < o->count; ++k) number[o->corner[k].point] = 1;
+    }
+    for (k = 0; number && k < o->points->count; ++k)
+        if (number[k]) number[k] = (uint32_t)++ * points;
+    return number;
+}
+
+/* OFF, or NOFF with normals: every point once, and a face for every cell that the table has. */
 static inline int write_off(const writer *w, outlines *o, image_error *error)
 {
-    size_t region, k, points = 0, faces = 0;
-    uint32_t *number = (uint32_t *)malloc((o->points->count + 1) * sizeof *number);
+    size_t region, k, points, faces;
+    uint32_t *number = write__number(o, &points, &faces, error);
     outline_corner corner;
     double coordinate[6];
     char line[WRITE_LINE], *at;
-    int good = number || image_no_memory(error);
-    for (k = 0; good && k < o->points->count; ++k) number[k] = o->is_used[k] ? (uint32_t)points++ : 0;
-    for (region = 1; region < o->map->count; ++region) faces += !(o->map->flag[region] & REGION_DROPPED);
-    fprintf(w->file, "%s\n%lu %lu 0\n", o->space ? "NOFF" : "OFF", (unsigned long)points, (unsigned long)faces);
+    int good = number != NULL;
+    if (good)
+        fprintf(w->file, "%s\n%lu %lu 0\n", o->space ? "NOFF" : "OFF", (unsigned long)points, (unsigned long)faces);
     corner.turns = 0;
     for (k = 0; good && k < o->points->count; ++k) {
-        if (!o->is_used[k]) continue;
+        if (!number[k]) continue;
         corner.point = (uint32_t)k;
         at = write__numbers(w, line, ' ', coordinate, write__coordinates(w, o, &corner, coordinate));
         if (!o->space) at += snprintf(at, 4, " 0");
@@ -118,7 +138,7 @@ static inline int write_off(const writer *w, outlines *o, image_error *error)
         if (o->map->flag[region] & REGION_DROPPED) continue;
         good = outlines_walk(o, region, error);
         fprintf(w->file, "%lu", (unsigned long)o->count);
-        for (k = 0; good && k < o->count; ++k) fprintf(w->file, " %lu", (unsigned long)number[o->corner[k].point]);
+        for (k = 0; good && k < o->count; ++k) fprintf(w->file, " %lu", (unsigned long)number[o->corner[k].point] - 1);
         fputc('\n', w->file);
     }
     free(number);
