@@ -321,13 +321,15 @@ static int close_file(FILE **file, const char *name, image_error *error)
     return !failed || image_fail(error, name, "cannot be written: %s", strerror(errno));
 }
 
-static int write_all(run *r, image_error *error)
+/* Sets *dropped to how many cells are left out. */
+static int write_all(run *r, size_t *dropped, image_error *error)
 {
     const options *o = r->o;
     writer w;
-    size_t region, cells = r->map.count - 1, measured = 0;
+    size_t cells = r->map.count - 1;
     if (!open_file(&r->off, o->off, error) || !open_file(&r->report, o->report, error)) return 0;
-    for (region = 1; region < r->map.count; ++region) measured += !(r->map.flag[region] & REGION_DROPPED);
+    *dropped = write_notices(stderr, o->labels, &r->map);
+    if (cells == 0) fprintf(stderr, "outlines: no pixel has a label above 0\n");
     w.powers = &r->powers;
     w.digits = o->digits;
     w.spacing = o->spacing;
@@ -339,7 +341,7 @@ static int write_all(run *r, image_error *error)
     printf("# outlines of ");
     write_name(stdout, o->labels);
     printf(", %lu x %lu pixels: %lu of %lu cells\n", (unsigned long)r->map.width, (unsigned long)r->map.height,
-           (unsigned long)measured, (unsigned long)cells);
+           (unsigned long)(cells - *dropped), (unsigned long)cells);
     if (!write_table(&w, &r->out, error)) return 0;
     if (fflush(stdout) || ferror(stdout) || fclose(stdout))
         return image_fail(error, NULL, "outlines: standard output cannot be written: %s", strerror(errno));
@@ -392,14 +394,8 @@ static int run_all(const options *o)
     good = read_all(&r, &error);
     if (o->paint)
         good = good && paint_all(&r, &error);
-    else {
-        good = good && trace_all(&r, &error);
-        if (good) {
-            dropped = write_notices(stderr, o->labels, &r.map);
-            if (r.map.count == 1) fprintf(stderr, "outlines: no pixel has a label above 0\n");
-            good = write_all(&r, &error);
-        }
-    }
+    else
+        good = good && trace_all(&r, &error) && write_all(&r, &dropped, &error);
     if (!good) fprintf(stderr, "%s\n", error.text);
     end_run(&r);
     return !good ? 1 : dropped > 0 ? 2 : 0;
