@@ -6,7 +6,7 @@ build=$(absolute "$1")
 version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
 
 # --- man pages --------------------------------------------------------------------------------------------------------
-for command in surfmink levelset; do
+for command in surfmink levelset outlines; do
     page=docs/$command.1
     "$build/$command" --help > "$work/help"
     # in mdoc an option is .It Fl -name, or .It Fl -name Ar VALUE; in --help one blank goes before VALUE
