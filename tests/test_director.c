@@ -553,7 +553,7 @@ THEOREM(the_coherence_of_a_hexagon_without_symmetry_is_what_the_documents_say)
         CASE("size %g", 0.8 / (1 << s));
         onto_sphere(xy, 6, 0.8 / (1 << s), o.corner);
         measure(&o, &m);
-        CHECK_OK(surfmink_total(o.length, o.turning, 6, &w));
+        CHECK_OK(surfmink_total(NULL, o.length, o.turning, 6, &w));
         CHECK_CLOSE(w.curvature, curvature[s], 5e-3);
         CHECK_CLOSE(1 - m.coherence[2], corrected[s][0], 3e-2);
         CHECK_CLOSE(1 - m.coherence[6], corrected[s][1], 3e-2);
