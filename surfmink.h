@@ -76,7 +76,7 @@
      winds, or encloses a curvature near 2 pi, every outline that is not refused has
        L       to 1e-15, relative
        S       to 2e-15 c, relative; through callbacks to 2e-15 (c + sqrt(n) / 50)
-       mu_p    to 1e-14 (1 + c + c^2 / 50), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
+       mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
        area    to 2e-15 of half the sum of |x_i - x_0| l_i; slivers are small beside that. Of embedded outlines it is an
                estimate: see surfmink_area
      by each way to measure: single calls, steps, callbacks, batches; at any size, from 3 to 1e5 corners, for edges from
@@ -470,7 +470,7 @@ static const double surfmink__largest = 1.7976931348623157e308;
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC push_options
-#pragma GCC optimize("no-trapping-math", "no-math-errno") /* or gcc makes no vectors of comparisons and square roots */
+#pragma GCC optimize("no-trapping-math") /* or gcc makes no vectors of comparisons */
 #define SURFMINK__OPTIONS
 #endif
 
@@ -910,35 +910,31 @@ static int surfmink__blame(int status, size_t corner, size_t *bad)
 typedef struct surfmink__quad {
     double length[SURFMINK__QUAD], sine[SURFMINK__QUAD], cosine[SURFMINK__QUAD];
     double in[SURFMINK__QUAD], out[SURFMINK__QUAD]; /* squares of the edges; out is 0 where something else is wrong */
-    double size[SURFMINK__QUAD];                    /* what the larger of sine and cosine has to exceed */
+    double size[SURFMINK__QUAD];                    /* the square of what the larger of sine and cosine has to exceed */
 } surfmink__quad;
 
 /* Do the plain formulas measure a turn? NaN does not pass. */
 static int surfmink__plain(double in, double out, double sine, double cosine, double size)
 {
-    double larger = surfmink__abs(sine) > surfmink__abs(cosine) ? surfmink__abs(sine) : surfmink__abs(cosine);
+    double larger = sine * sine > cosine * cosine ? sine * sine : cosine * cosine;
     return in > surfmink__small && in < surfmink__large && out > surfmink__small && out < surfmink__large &&
            larger > size && surfmink__abs(sine) > -surfmink__spike * cosine;
 }
 
-/* The turn from edge a to edge b in the plane orthogonal to n: n . (a x b) and a . b - (a . n)(b . n) for unit n, times
-   |n|^2. a x b is a x (b - a) or b x (b - a), whichever edge is shorter: at nearly straight corners that does not
+/* The turn from edge a to edge b in the plane orthogonal to n: n . (a x b) / |n| and a . b - (a . n)(b . n) for unit n,
+   times |n|^2. a x b is a x (b - a) or b x (b - a), whichever edge is shorter: at nearly straight corners that does not
    cancel. aa, bb, nn are squares of the vectors. */
 SURFMINK__INLINE void surfmink__turn(const double a[3], double aa, const double b[3], double bb, const double n[3],
                                      double nn, double *sine, double *cosine)
 {
-    double d[3], s[3], cross[3];
-    size_t k;
+    double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+    double sx = aa < bb ? a[0] : b[0], sy = aa < bb ? a[1] : b[1], sz = aa < bb ? a[2] : b[2];
     *cosine = nn * surfmink__dot(a, b) - surfmink__dot(a, n) * surfmink__dot(b, n);
-    for (k = 0; k < 3; ++k) {
-        d[k] = b[k] - a[k];
-        s[k] = aa < bb ? a[k] : b[k];
-    }
-    surfmink__cross(s, d, cross);
-    *sine = SURFMINK_SQRT(nn) * surfmink__dot(n, cross);
+    *sine = n[0] * (sy * z - sz * y) + n[1] * (sz * x - sx * z) + n[2] * (sx * y - sy * x);
 }
 
-/* In what follows x[0], x[1], .. are the corner before the first lane, its own, .. that behind the last lane. */
+/* In what follows x[0], x[1], .. are the corner before the first lane, its own, .. that behind the last lane. Square
+   roots have loops of their own, for they may set errno and keep compilers from making vectors. */
 static void surfmink__turns_plane(const double *x, surfmink__quad *l)
 {
     double a[2], b[2], d[2], s[2], aa, bb;
@@ -959,13 +955,13 @@ static void surfmink__turns_plane(const double *x, surfmink__quad *l)
         l->in[k] = aa;
         l->out[k] = bb;
         l->size[k] = 0;
-        l->length[k] = SURFMINK_SQRT(bb);
     }
+    for (k = 0; k < SURFMINK__QUAD; ++k) l->length[k] = SURFMINK_SQRT(l->out[k]);
 }
 
 static void surfmink__turns_space(const double *x, const double *n, surfmink__quad *l)
 {
-    double a[3], b[3], m[3], aa, bb, nn;
+    double a[3], b[3], aa, bb, nn[SURFMINK__QUAD];
     size_t k;
     for (k = 0; k < SURFMINK__QUAD; ++k) {
         a[0] = x[3 * k + 3] - x[3 * k];
@@ -974,17 +970,17 @@ static void surfmink__turns_space(const double *x, const double *n, surfmink__qu
         b[0] = x[3 * k + 6] - x[3 * k + 3];
         b[1] = x[3 * k + 7] - x[3 * k + 4];
         b[2] = x[3 * k + 8] - x[3 * k + 5];
-        m[0] = n[3 * k + 3];
-        m[1] = n[3 * k + 4];
-        m[2] = n[3 * k + 5];
         aa = surfmink__dot(a, a);
         bb = surfmink__dot(b, b);
-        nn = surfmink__dot(m, m);
-        surfmink__turn(a, aa, b, bb, m, nn, l->sine + k, l->cosine + k);
+        nn[k] = surfmink__dot(n + 3 * k + 3, n + 3 * k + 3);
+        surfmink__turn(a, aa, b, bb, n + 3 * k + 3, nn[k], l->sine + k, l->cosine + k);
         l->in[k] = aa;
         l->out[k] = bb;
-        l->size[k] = surfmink__steep * nn * SURFMINK_SQRT(aa * bb);
-        l->length[k] = SURFMINK_SQRT(bb);
+        l->size[k] = surfmink__steep * surfmink__steep * nn[k] * nn[k] * aa * bb;
+    }
+    for (k = 0; k < SURFMINK__QUAD; ++k) {
+        l->sine[k] *= SURFMINK_SQRT(nn[k]);
+        l->length[k] = SURFMINK_SQRT(l->out[k]);
     }
 }
 
@@ -1193,7 +1189,8 @@ static int surfmink__corner_twice(const surfmink_outline *o, size_t i, double *l
     out_out = surfmink__dot(out, out);
     nn = surfmink__dot(n, n);
     surfmink__turn(in, in_in, out, out_out, n, nn, sine, cosine);
-    if (surfmink__plain(in_in, out_out, *sine, *cosine, surfmink__steep * nn * SURFMINK_SQRT(in_in * out_out)))
+    *sine *= SURFMINK_SQRT(nn);
+    if (surfmink__plain(in_in, out_out, *sine, *cosine, surfmink__steep * surfmink__steep * nn * nn * in_in * out_out))
         return 1;
     surfmink__leftward(axis, before, x, from);
     surfmink__leftward(axis, x, after, to);
@@ -1246,25 +1243,20 @@ static double surfmink__ray_scale(const surfmink_outline *o)
    next to antipodes the size becomes infinite, and the corner is not plain. */
 static void surfmink__arcs(const double *x, double radius, surfmink__quad *l)
 {
-    double xx, yy, x_norm, y_norm, rise, chord[SURFMINK__QUAD];
+    double norm[SURFMINK__QUAD + 1], rise, chord[SURFMINK__QUAD], root[SURFMINK__QUAD];
+    const double *a = x + 3, *b = x + 6;
     size_t k;
-    for (k = 0; k < SURFMINK__QUAD; ++k) {
-        const double *a = x + 3 * k + 3, *b = x + 3 * k + 6;
-        xx = surfmink__dot(a, a);
-        yy = surfmink__dot(b, b);
-        x_norm = SURFMINK_SQRT(xx);
-        y_norm = SURFMINK_SQRT(yy);
+    for (k = 0; k <= SURFMINK__QUAD; ++k) norm[k] = SURFMINK_SQRT(surfmink__dot(x + 3 * k + 3, x + 3 * k + 3));
+    for (k = 0; k < SURFMINK__QUAD; ++k, a += 3, b += 3) {
         rise = (b[0] - a[0]) * (b[0] + a[0]) + (b[1] - a[1]) * (b[1] + a[1]) + (b[2] - a[2]) * (b[2] + a[2]);
-        rise = rise / (x_norm + y_norm); /* |y| - |x| */
-        chord[k] = (l->out[k] - rise * rise) / (x_norm * y_norm);
-        l->length[k] = radius * surfmink__arc_lane(SURFMINK_SQRT(chord[k] > 0 ? chord[k] : 0), chord[k]);
-        l->out[k] = 2 * rise * rise < l->out[k] ? l->out[k] : 0;
+        rise = rise / (norm[k] + norm[k + 1]); /* |y| - |x| */
+        chord[k] = (l->out[k] - rise * rise) / (norm[k] * norm[k + 1]);
+        if (!(2 * rise * rise < l->out[k] && chord[k] > surfmink__eps * surfmink__eps && chord[k] < 3.5)) l->out[k] = 0;
+        root[k] = SURFMINK_SQRT(chord[k] > 0 ? chord[k] : 0);
     }
-    for (k = 0; k < SURFMINK__QUAD; ++k) {
-        if (chord[k] >= 1)
-            l->length[k] = radius * 2 * surfmink__atan2(SURFMINK_SQRT(chord[k]), SURFMINK_SQRT(4 - chord[k]));
-        if (!(chord[k] > surfmink__eps * surfmink__eps && chord[k] < 3.5)) l->out[k] = 0;
-    }
+    for (k = 0; k < SURFMINK__QUAD; ++k) l->length[k] = radius * surfmink__arc_lane(root[k], chord[k]);
+    for (k = 0; k < SURFMINK__QUAD; ++k)
+        if (chord[k] >= 1) l->length[k] = radius * 2 * surfmink__atan2(root[k], SURFMINK_SQRT(4 - chord[k]));
 }
 
 /* Asks the log of a surface, and mistrusts it: its direction has to be one, and its length positive. */
@@ -1513,31 +1505,24 @@ static double surfmink__triple(const surfmink__fan *fan, const double x[3], cons
 static void surfmink__triangles(const surfmink__fan *fan, const double *corner, double re[SURFMINK__QUAD],
                                 double im[SURFMINK__QUAD])
 {
-    double to_x[3], edge[3], cross[3], x_norm, y_norm, rise, edge_rise, norms[SURFMINK__QUAD];
-    double steep[SURFMINK__QUAD];
-    size_t k, d;
-    for (k = 0; k < SURFMINK__QUAD; ++k) {
-        const double *x = corner + 3 * k + 3, *y = corner + 3 * k + 6;
-        for (d = 0; d < 3; ++d) {
-            to_x[d] = x[d] - fan->a[d];
-            edge[d] = y[d] - x[d];
-        }
-        x_norm = SURFMINK_SQRT(surfmink__dot(x, x));
-        y_norm = SURFMINK_SQRT(surfmink__dot(y, y));
-        norms[k] = fan->norm * x_norm * y_norm;
+    double norm[SURFMINK__QUAD + 1], norms, to_x[3], edge[3], cross[3], rise, edge_rise;
+    const double *x = corner + 3, *y = corner + 6;
+    size_t k;
+    for (k = 0; k <= SURFMINK__QUAD; ++k) norm[k] = SURFMINK_SQRT(surfmink__dot(x + 3 * k, x + 3 * k));
+    for (k = 0; k < SURFMINK__QUAD; ++k, x += 3, y += 3) {
+        surfmink__sub(x, fan->a, 3, to_x);
+        surfmink__sub(y, x, 3, edge);
+        norms = fan->norm * norm[k] * norm[k + 1];
         surfmink__cross(to_x, edge, cross);
-        im[k] = surfmink__dot(fan->a, cross) / norms[k];
-        re[k] = 1 + (y_norm * surfmink__dot(fan->a, x) + fan->norm * surfmink__dot(x, y) +
-                     x_norm * surfmink__dot(y, fan->a)) /
-                        norms[k];
-        rise = x_norm - fan->norm;
-        edge_rise = y_norm - x_norm;
-        rise = 2 * rise * rise - surfmink__dot(to_x, to_x);
-        edge_rise = 2 * edge_rise * edge_rise - surfmink__dot(edge, edge);
-        steep[k] = rise > edge_rise ? rise : edge_rise;
+        im[k] = surfmink__dot(fan->a, cross) / norms;
+        re[k] = norm[k + 1] * surfmink__dot(fan->a, x) + fan->norm * surfmink__dot(x, y) +
+                norm[k] * surfmink__dot(y, fan->a);
+        re[k] = 1 + re[k] / norms;
+        rise = norm[k] - fan->norm;
+        edge_rise = norm[k + 1] - norm[k];
+        if (2 * rise * rise > surfmink__dot(to_x, to_x) || 2 * edge_rise * edge_rise > surfmink__dot(edge, edge))
+            im[k] = surfmink__triple(fan, x, y, norms);
     }
-    for (k = 0; k < SURFMINK__QUAD; ++k)
-        if (steep[k] > 0) im[k] = surfmink__triple(fan, corner + 3 * k + 3, corner + 3 * k + 6, norms[k]);
 }
 
 /* Solid angle to the left of an outline on a sphere, modulo 4 pi. Sixteen numbers of triangles are multiplied before
@@ -1604,14 +1589,16 @@ static double surfmink__solid_angle(const surfmink_outline *o, double *solid_ang
     static const double direction[14][3] = {{1, .1, .2},   {-1, -.2, .1}, {.2, 1, -.1},  {-.1, -1, -.2}, {.1, -.2, 1},
                                             {-.2, .1, -1}, {1, .9, .8},   {-1, .8, .9},  {.9, -1, .8},   {.8, .9, -1},
                                             {-.9, -1, .8}, {-1, .9, -.8}, {.8, -.9, -1}, {-.8, -1, -.9}};
-    double scale = surfmink__ray_scale(o), apex[3], angle, best = 0;
+    double scale = surfmink__ray_scale(o), size, apex[3], angle, best = 0;
     surfmink__fan fan;
     size_t i, k;
     if (!surfmink__alike(o, scale)) scale = 0;
+    size = scale > 0 ? 1 / surfmink__binade(surfmink__max_abs(o->corner, 3) * scale) : 1; /* as far out as corners */
     for (i = 0; i < 16 && best < 0.25; ++i) {
-        for (k = 0; k < 3; ++k) apex[k] = i == 0 ? o->corner[k] * scale : i > 1 ? direction[i - 2][k] : 0;
+        for (k = 0; k < 3; ++k) apex[k] = i == 0 ? o->corner[k] * scale : i > 1 ? direction[i - 2][k] * size : 0;
         if (i == 0 && !(scale > 0)) surfmink__sphere_point(o, 0, apex);
         if (i == 1) surfmink__vector_area(o, scale, apex);
+        for (k = 0; k < 3 && i == 1; ++k) apex[k] *= size;
         if (!(surfmink__max_abs(apex, 3) > 0)) continue;
         fan = surfmink__fan_of(apex);
         angle = surfmink__fan_angle(&fan, o, scale);
@@ -1971,26 +1958,26 @@ typedef struct surfmink__powers {
 static void surfmink__power(const double length[SURFMINK__QUAD], const double phase[SURFMINK__QUAD], int p,
                             surfmink__powers *powers)
 {
-    double v[2][SURFMINK__QUAD], re, im;
+    double v[2], w[2];
     size_t k;
-    for (k = 0; k < SURFMINK__QUAD; ++k) surfmink__cis_lane(phase[k], powers->z[0] + k, powers->z[1] + k);
+    int left;
     for (k = 0; k < SURFMINK__QUAD; ++k) {
-        v[0][k] = powers->z[0][k];
-        v[1][k] = powers->z[1][k];
-        powers->w[0][k] = length[k] * v[0][k];
-        powers->w[1][k] = length[k] * v[1][k];
+        surfmink__cis_lane(phase[k], powers->z[0] + k, powers->z[1] + k);
+        powers->w[0][k] = length[k] * powers->z[0][k];
+        powers->w[1][k] = length[k] * powers->z[1][k];
     }
-    for (--p; p > 0; p /= 2)
-        for (k = 0; k < SURFMINK__QUAD; ++k) {
-            re = powers->w[0][k];
-            im = powers->w[1][k];
-            if (p % 2) powers->w[0][k] = re * v[0][k] - im * v[1][k];
-            if (p % 2) powers->w[1][k] = re * v[1][k] + im * v[0][k];
-            re = v[0][k];
-            im = v[1][k];
-            v[0][k] = re * re - im * im;
-            v[1][k] = 2 * re * im;
+    for (k = 0; k < SURFMINK__QUAD && p > 1; ++k) {
+        v[0] = powers->z[0][k];
+        v[1] = powers->z[1][k];
+        w[0] = powers->w[0][k];
+        w[1] = powers->w[1][k];
+        for (left = p - 1; left > 0; left /= 2) {
+            if (left % 2) surfmink__multiply(w, v[0], v[1]);
+            surfmink__multiply(v, v[0], v[1]);
         }
+        powers->w[0][k] = w[0];
+        powers->w[1][k] = w[1];
+    }
 }
 
 /* Adds l_i exp(i p f_i) times unit of at most SURFMINK__BLOCK edges to the sums of `ranks` ranks from `first` on.
@@ -3082,9 +3069,9 @@ SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) *r, size_t rows,
             im = SURFMINK__FMA(re, part, im);
             re = c[0];
             plain = SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(2.0), rise, SURFMINK__SET(1e-200)), bb * around);
-            plain = plain & SURFMINK__LESS(square, SURFMINK__SET(2.9)) &
-                    SURFMINK__LESS(SURFMINK__SET(0.35) * xx * SURFMINK__ROOT(aa * bb),
-                                   SURFMINK__MAX(SURFMINK__ABS(sine), SURFMINK__ABS(cosine)));
+            plain = plain & SURFMINK__LESS(square, SURFMINK__SET(2.9));
+            plain = plain & SURFMINK__LESS(SURFMINK__SET(0.1225) * xx * xx * aa * bb, /* 0.35^2: see surfmink__steep */
+                                           SURFMINK__FMA(sine, sine, cosine * cosine));
             plain = plain & SURFMINK__LESS(SURFMINK__SET(0.5) * norms, below);
             good = good + SURFMINK__WHERE(plain, SURFMINK__SET(1.0));
             SURFMINK__(add_length)(length, &sum, &lost);

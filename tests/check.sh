@@ -364,6 +364,9 @@ check "worst errors against quadruple precision" "
 check "worst errors of smooth curves against quadruple precision" "
     gcc -O2 -I. tests/accuracy/curve.c -o $here/curve -lquadmath -lm && $(quietly "$here/curve 20")"
 
+# --- the reference values: a random sample, made again in 50 digits ---------------------------------------------------
+check "the reference values, a sample" "$(quietly "/usr/bin/python3 tests/reference/reference.py --sample")"
+
 # --- the commands under sanitizers ------------------------------------------------------------------------------------
 object gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. $object"

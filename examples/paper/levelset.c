@@ -37,6 +37,7 @@ static void measure(int base, int level, result *r, mesh *m, mesh_loops *loops)
 {
     mesh_error error;
     double *field, *length, *turning, *phase, g[2 * RANKS + 2], first;
+    surfmink_outline outline;
     size_t i, n;
     int status;
     if (mesh_sphere(m, base, level, &error) || mesh_connect(m, &error) || mesh_normals(m, &error))
@@ -54,8 +55,9 @@ static void measure(int base, int level, result *r, mesh *m, mesh_loops *loops)
     phase = turning + n;
     r->h = mesh_longest_edge(m);
     r->corners = n;
-    status = surfmink_measure_embedded(loops->corner, loops->normal, n, RANKS, r->mu, NULL, NULL, NULL);
-    if (status == SURFMINK_OK) status = surfmink_edges_embedded(loops->corner, loops->normal, n, length, turning, NULL);
+    outline = surfmink_embedded(loops->corner, loops->normal, n);
+    status = surfmink_measure(&outline, RANKS, r->mu, NULL, NULL, NULL);
+    if (status == SURFMINK_OK) status = surfmink_edges(&outline, length, turning, NULL);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
     first = turning[n - 1];
     memmove(turning + 1, turning, (n - 1) * sizeof *turning);

@@ -145,13 +145,14 @@ static void draw_values(plot *p, const experiment *e, double left)
 int main(int argc, char **argv)
 {
     static printed t;
+    surfmink_outline octant = surfmink_sphere(corner, 3, 1.0);
     double mu[RANKS + 1], g[2 * RANKS + 2], low = 1, high = 0, u;
     char what[64];
     experiment e;
     plot p;
     int row, k;
     if (experiment_begin(&e, argc, argv, "octant") || plot_begin(&p, e.figure, 985, 262)) return 1;
-    experiment_need(surfmink_edges_sphere(corner, 3, 1.0, length, turning, NULL) == SURFMINK_OK, "the octant is fine");
+    experiment_need(surfmink_edges(&octant, length, turning, NULL) == SURFMINK_OK, "the octant is fine");
     printed_read(&t, &e, "triangle90.tsv");
     puts("The octant under parallel transport to a point at a fraction u of an edge: mu_p computed / reference");
     for (row = 0; row < t.rows; ++row) {

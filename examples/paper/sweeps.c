@@ -22,9 +22,10 @@
 static void measure(const flower_exact *exact, size_t q, double *mu)
 {
     static double corner[3 * MOST_CORNERS], normal[3 * MOST_CORNERS];
+    surfmink_outline outline = surfmink_embedded(corner, normal, q);
     int status;
     flower_polygon(exact, q, corner, normal);
-    status = surfmink_measure_embedded(corner, normal, q, RANKS, mu, NULL, NULL, NULL);
+    status = surfmink_measure(&outline, RANKS, mu, NULL, NULL, NULL);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
 }
 

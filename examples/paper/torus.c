@@ -31,14 +31,15 @@ static double spread(const double *value)
 static void measure(double theta2_over_pi, triangle *t)
 {
     surfmink_surface chart = surfmink_torus_chart(radius);
-    double scratch[6], phase[3], g[2 * RANKS + 2];
+    surfmink_outline outline = surfmink_on_surface(&chart, t->corner, 3);
+    double phase[3], g[2 * RANKS + 2];
     int status;
     t->corner[0] = 0;
     t->corner[1] = t->corner[5] = PI;
     t->corner[2] = 1.55;
     t->corner[3] = theta2_over_pi * PI;
     t->corner[4] = 3.1;
-    status = surfmink_edges_surface(&chart, t->corner, 3, scratch, t->length, t->turning, NULL);
+    status = surfmink_edges(&outline, t->length, t->turning, NULL);
     if (status == SURFMINK_OK) status = surfmink_phases(t->turning, 3, SURFMINK_CORRECTED, phase);
     if (status == SURFMINK_OK) status = surfmink_irreducible(t->length, phase, 3, RANKS, g);
     if (status == SURFMINK_OK) status = surfmink_spectrum(g, RANKS, NULL, t->mu, NULL);

@@ -108,6 +108,7 @@ int main(int argc, char **argv)
 {
     static const char *const transport_name[2] = {"corrected", "parallel"}; /* as in enum surfmink_transport */
     plot_pen parallel = {"#d55e00", 1.3, "3 2"}, corrected = {"#0072b2", 1.3, ""};
+    surfmink_outline outline;
     surfmink_functionals w;
     double phase[CORNERS], home, colour_at;
     char colour[8];
@@ -117,8 +118,9 @@ int main(int argc, char **argv)
     int i, t, k, status = SURFMINK_OK;
     if (experiment_begin(&e, argc, argv, "transports") || plot_begin(&p, e.figure, 720, 300)) return 1;
     for (i = 0; i < CORNERS; ++i) surfmink_from_lonlat(lonlat[2 * i], lonlat[2 * i + 1], 1.0, j.corner + 3 * i);
-    status = surfmink_edges_sphere(j.corner, CORNERS, 1.0, j.length, j.turning, NULL);
-    if (status == SURFMINK_OK) status = surfmink_measure_sphere(j.corner, CORNERS, 1.0, 0, NULL, NULL, &w, NULL);
+    outline = surfmink_sphere(j.corner, CORNERS, 1.0);
+    status = surfmink_edges(&outline, j.length, j.turning, NULL);
+    if (status == SURFMINK_OK) status = surfmink_total(&outline, j.length, j.turning, CORNERS, &w);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
     printf("A pentagon on the unit sphere: area = enclosed curvature = %.12f, S = %.12f\n", w.curvature, w.turning);
     fprintf(e.table, "transport\tedge\tphase\n");

@@ -75,10 +75,12 @@ static void trace(outline *o, int sides, double radius)
 
 static void measure(int sides, double radius, size_t smooth, outline *o, double *mu, double *length)
 {
+    surfmink_outline view;
     surfmink_functionals w;
     trace(o, sides, radius);
     surfmink_smooth(o->corner, o->n, 2, smooth);
-    theory_need(surfmink_measure_plane(o->corner, o->n, RANKS, mu, NULL, &w, NULL));
+    view = surfmink_plane(o->corner, o->n);
+    theory_need(surfmink_measure(&view, RANKS, mu, NULL, &w, NULL));
     *length = w.length;
 }
 
