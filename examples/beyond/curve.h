@@ -599,10 +599,10 @@ static inline double surfmink_curve__deviations(surfmink_curve__work *work, size
 }
 
 /* The largest of rank p and its neighbours: the error of one rank may happen to change its sign, those of all seldom
-   do at once. L stands alone. */
+   do at once. L has no neighbours, and counts twice instead. */
 static inline double surfmink_curve__around(const double *off, int p)
 {
-    if (p == 0) return off[0];
+    if (p == 0) return 2 * off[0];
     return fmax(fmax(off[p], off[p + 1]), p > 1 ? off[p - 1] : 0);
 }
 

@@ -308,7 +308,7 @@ static int survey_estimates(int set, int curves)
     size_t range;
     memset(e, 0, sizeof e);
     for (place = 0; place < PLACES; ++place) {
-        chance luck = {2000 + (uint64_t)(100 * set + place)};
+        chance luck = {7000 + (uint64_t)(100 * set + place)};
         for (round = 0; round < curves; ++round) refused += estimate_curve(&luck, set, place, e[place]);
     }
     printf("\n%s; %d curves on each surface, %d refused\n",
