@@ -1,11 +1,11 @@
 /* director.h - the directions of an outline at its centre, for surfmink.h - MIT or public domain, as surfmink.h
 
-     double length[6], phase[6], g[14], scratch[6], direction[21], coherence[7];
+     double length[6], phase[6], g[14], lag[6], direction[21], coherence[7];
      surfmink_middle middle = {{0}, {0}, {0}, direction, coherence};
      surfmink_edges(&cell, length, phase, NULL);                        // a cell of 6 corners in space
      surfmink_phases(phase, 6, SURFMINK_CORRECTED, phase);
      surfmink_irreducible(length, phase, 6, 6, g);
-     surfmink_director(&cell, length, phase, g, 6, scratch, &middle);   // direction + 3 p is where rank p points
+     surfmink_director(&cell, length, phase, g, 6, lag, &middle);       // direction + 3 p is where rank p points
 
    An outline has one eigenvector of rank p for each of its edges: transports of each other along the outline. A glyph
    and an average over many outlines want one direction at the centre instead. Every edge tilts its copy to the centre
@@ -114,7 +114,7 @@ static inline int surfmink_director__tilted(const surfmink_outline *o, size_t i,
    o                  plane, sphere or embedded: a surface by callbacks has no space to tilt in
    length, phase n    from steps 1 and 2; the phases of the transport that g was made with
    g         2 P + 2  only its arguments count
-   scratch     n      doubles to work in; may be the same array as phase, which is then lost
+   lag         n      out: chi_i - f_i, below; may be the same array as phase, which is then lost. Written on failure, too
    middle             out; untouched on failure, and so are its arrays
    Where mu_p or the coherence is no more than rounding noise (1e-14) the directions are noise too.
    Errors: as surfmink_irreducible and surfmink_frame; ZERO_NORMAL: the mean of the normals is shorter than 1e-6, or one
@@ -124,7 +124,7 @@ static inline int surfmink_director__tilted(const surfmink_outline *o, size_t i,
    With chi_i the angle of the tilted co-normal i against that of edge 0, an eigenvector has the angle theta + chi_i -
    f_i there. So theta stays out of the average, sum l_i exp(i p (chi_i - f_i)), which is integrated like g_p. */
 static inline int surfmink_director(const surfmink_outline *o, const double *length, const double *phase,
-                                    const double *g, int max_rank, double *scratch, surfmink_middle *middle)
+                                    const double *g, int max_rank, double *lag, surfmink_middle *middle)
 {
     surfmink_middle m = *middle;
     double total = 0, e2[3], nu[3], angle, cosine, sine;
@@ -146,10 +146,10 @@ static inline int surfmink_director(const surfmink_outline *o, const double *len
         if ((status = surfmink_director__tilted(o, i, m.normal, nu)) != SURFMINK_OK) return status;
         for (k = 0; k < 3 && i == 0; ++k) m.axis[k] = nu[k];
         if (i == 0) surfmink_director__cross(m.normal, m.axis, e2);
-        scratch[i] = atan2(surfmink_director__dot(nu, e2), surfmink_director__dot(nu, m.axis)) - phase[i];
+        lag[i] = atan2(surfmink_director__dot(nu, e2), surfmink_director__dot(nu, m.axis)) - phase[i];
     }
     if (m.direction) { /* 2 P + 2 numbers for now */
-        if ((status = surfmink_irreducible(length, scratch, o->n, max_rank, m.direction)) != SURFMINK_OK) return status;
+        if ((status = surfmink_irreducible(length, lag, o->n, max_rank, m.direction)) != SURFMINK_OK) return status;
         for (p = 0; p <= max_rank && m.coherence; ++p)
             m.coherence[p] = fmin(1, hypot(m.direction[2 * p], m.direction[2 * p + 1]) / m.direction[0]);
     }
