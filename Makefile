@@ -81,11 +81,10 @@ $(BUILD)/theory_%: examples/theory/%.c $(BUILD)/surfmink.o $(headers)
 
 shared: $(BUILD)/$(library)
 
-$(BUILD)/$(library): surfmink.h
+$(BUILD)/$(library): examples/languages/flat.c examples/languages/flat.h surfmink.h $(wildcard examples/beyond/*.h)
 	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -fPIC -fvisibility=hidden -DSURFMINK_IMPLEMENTATION \
-	  '-DSURFMINK_DEF=__attribute__((visibility("default"))) extern' $(LIBRARY_FLAGS) -x c $< -x none -o $@ \
-	  $(LDFLAGS) $(LDLIBS)
+	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) -fPIC -fvisibility=hidden \
+	  '-DSURFMINK_DEF=__attribute__((visibility("default"))) extern' $(LIBRARY_FLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 	ln -sf $(library) $(BUILD)/$(library_abi)
 	ln -sf $(library_abi) $(BUILD)/$(library_link)
 
