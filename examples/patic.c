@@ -24,9 +24,7 @@
 #include <unistd.h>
 #endif
 
-#ifndef SURFMINK_IMPLEMENTATION
 #define SURFMINK_IMPLEMENTATION
-#endif
 #include "../surfmink.h"
 
 #include "command/options.h"
