@@ -1109,6 +1109,35 @@ THEOREM(welding_does_not_depend_on_the_place)
     }
 }
 
+/* Squares of the lengths would be 0, or infinite. */
+THEOREM(the_unit_may_be_any)
+{
+    static const double unit[4] = {1, 1e-200, 1e-140, 1e150};
+    int k, curved;
+    for (curved = 0; curved < 2; ++curved)
+        for (k = 0; k < 4; ++k) {
+            chance c = {329};
+            tissue s = some_tissue(&c, curved ? AN_ELLIPSOID : A_PLANE, 8);
+            size_t i, pairs = 0;
+            patic_bin bin[40];
+            built b;
+            CASE("unit %g", unit[k]);
+            for (i = 0; i < 3 * s.corners; ++i) s.corner[i] *= unit[k];
+            for (i = 0; i < 2 * s.corners; ++i) s.flat[i] *= unit[k];
+            build(&b, &s, -1);
+            CHECK_EQUAL(b.t.chi, curved ? 2 : 1);
+            CHECK_EQUAL(b.t.isolated, 0);
+            field_and_charges(&b, 6, 1.5);
+            check_theorem(&b.t, 6, b.coarse);
+            CHECK(b.t.spacing > 0.1 * unit[k] && b.t.spacing < 10 * unit[k]);
+            i = patic_correlation(&b.t, 6, b.z, b.t.spacing, 40, bin);
+            for (; i > 0; --i) pairs += bin[i - 1].pairs;
+            CHECK(pairs > s.cells);
+            unbuild(&b);
+            free_tissue(&s);
+        }
+}
+
 /* Four cells whose shortest edge is below the tolerance meet at a corner of four. */
 THEOREM(an_edge_below_the_tolerance_is_a_rosette)
 {
@@ -1351,6 +1380,7 @@ int main(void)
     PROVE(a_core_at_the_boundary_has_no_margin);
     PROVE(corners_within_the_tolerance_are_one_and_others_are_not);
     PROVE(welding_does_not_depend_on_the_place);
+    PROVE(the_unit_may_be_any);
     PROVE(an_edge_below_the_tolerance_is_a_rosette);
     PROVE(a_cell_that_overlaps_is_refused_and_leaves_no_trace);
     PROVE(an_outline_that_meets_itself_is_refused);
