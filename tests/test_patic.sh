@@ -220,8 +220,7 @@ check "has charges that add up to 0" "$(said 'sum of charges')" 0
 check "and no warning" "$(grep -c WARNING err)" 0
 torus 3 3 0.35 > coarse.tsv
 run --rank 4 --summary coarse.tsv
-check "a torus of nine cells has" "$(said chi)" 0
-has "too few cells" err "is too coarse for its curvature: its charges sum to"
+has "nine cells are too few for a torus" err "opposite_normals: the normals of two neighbouring corners are more than 90"
 
 # --- wrong calls ------------------------------------------------------------------------------------------------------
 
