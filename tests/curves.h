@@ -170,14 +170,24 @@ static inline int curve_measure(const curve *c, size_t n, int order, double *cor
 
 /* --- how often do estimates hold? --------------------------------------------------------------------------------- */
 
-enum { FEWEST_CORNERS = 20, CORNER_RANGES = 5, MOST_CORNERS = 1000 };
+enum { CORNER_RANGES = 5 };
 static const size_t corner_range[CORNER_RANGES + 1] = {20, 34, 60, 120, 300, 1001};
 
-/* Errors over estimates, of L and mu, of orders 2 and 4; the last range is all of them. */
+/* Errors over estimates, of L and mu_1 .. mu_6. */
 typedef struct estimates {
-    size_t all, known, within, within_three, within_ten, kept, room;
+    size_t all, known, within, within_three, kept, room;
     double worst, *ratio;
 } estimates;
+
+static inline void estimate_keep(estimates *e, double ratio)
+{
+    if (e->kept == e->room) {
+        e->room = 2 * e->room + 1000;
+        e->ratio = (double *)realloc(e->ratio, e->room * sizeof *e->ratio);
+        if (!e->ratio) abort();
+    }
+    e->ratio[e->kept++] = ratio;
+}
 
 static inline void estimate_counts(estimates *e, double off, double error)
 {
@@ -187,14 +197,20 @@ static inline void estimate_counts(estimates *e, double off, double error)
     ++e->known;
     e->within += ratio <= 1;
     e->within_three += ratio <= 3;
-    e->within_ten += ratio <= 10;
     if (!(ratio <= e->worst)) e->worst = ratio;
-    if (e->kept == e->room) {
-        e->room = 2 * e->room + 1000;
-        e->ratio = (double *)realloc(e->ratio, e->room * sizeof *e->ratio);
-        if (!e->ratio) abort();
-    }
-    e->ratio[e->kept++] = ratio;
+    estimate_keep(e, ratio);
+}
+
+/* Of some ranges or surfaces together. */
+static inline void estimate_add(estimates *sum, const estimates *e)
+{
+    size_t i;
+    sum->all += e->all;
+    sum->known += e->known;
+    sum->within += e->within;
+    sum->within_three += e->within_three;
+    if (!(e->worst <= sum->worst)) sum->worst = e->worst;
+    for (i = 0; i < e->kept; ++i) estimate_keep(sum, e->ratio[i]);
 }
 
 static inline int estimate_order(const void *a, const void *b)
@@ -203,6 +219,7 @@ static inline int estimate_order(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Half of the errors are above so much of their estimates. */
 static inline double estimate_median(estimates *e)
 {
     qsort(e->ratio, e->kept, sizeof *e->ratio, estimate_order);
@@ -210,15 +227,15 @@ static inline double estimate_median(estimates *e)
 }
 
 /* Measures one curve in 2048 and 4096 corners of order 4, from which the truth follows to sixth order, and in 20 to 1000
-   with estimates. Counts what was refused. */
-static inline int estimate_curve(chance *luck, int set, int place, estimates e[2][CORNER_RANGES + 1])
+   with estimates. Returns how many of these were refused. */
+static inline int estimate_curve(chance *luck, int set, int place, estimates e[2][CORNER_RANGES])
 {
     static double corner[3 * CURVE_FINEST], normal[3 * CURVE_FINEST],
         scratch[SURFMINK_CURVE_SCRATCH(CURVE_FINEST, CURVE_RANKS)];
     curve c = some_curve(luck, set, place), smooth = c;
     chance cut = {chance_bits(luck)};
     double truth[2][CURVE_RANKS + 1], mu[CURVE_RANKS + 1], error[CURVE_RANKS + 1], exact;
-    size_t n = (size_t)magnitude(luck, FEWEST_CORNERS, MOST_CORNERS + 1), range = 0;
+    size_t n = (size_t)magnitude(luck, (double)corner_range[0], (double)corner_range[CORNER_RANGES]), range = 0;
     surfmink_functionals w;
     surfmink_curve_results out = {NULL, NULL, NULL, NULL};
     int fine, order, p, refused = 0;
@@ -243,7 +260,6 @@ static inline int estimate_curve(chance *luck, int set, int place, estimates e[2
             if (p == 1 && place == PLACE_PLANE) continue; /* mu_1 is 0 there, and no news */
             exact = truth[1][p] + (truth[1][p] - truth[0][p]) / 15;
             estimate_counts(&e[order / 4][range], fabs(mu[p] - exact) / (p == 0 ? exact : 1), error[p]);
-            estimate_counts(&e[order / 4][CORNER_RANGES], fabs(mu[p] - exact) / (p == 0 ? exact : 1), error[p]);
         }
     }
     return refused;

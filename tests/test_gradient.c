@@ -230,7 +230,7 @@ static void tilt_normals(chance *c, outline *o)
 
 static void lay(chance *c, enum surfmink_kind surface, const double *xy, size_t n, outline *o)
 {
-    double size = between(c, 0.02, surface == SURFMINK_EMBEDDED ? 0.4 : 0.7), x = between(c, -9, 9);
+    double size = between(c, 0.02, surface == SURFMINK_EMBEDDED ? 0.3 : 0.7), x = between(c, -9, 9);
     size_t i, k;
     o->surface = surface;
     o->n = n;
@@ -1234,6 +1234,287 @@ THEOREM(a_batch_with_a_bad_argument_writes_nothing)
     untouched(a.by_corner, 3 * ROOM);
 }
 
+/* --- where digits are rare ---------------------------------------------------------------------------------------- */
+
+/* Corners just above the equator: S is 2 pi times their height, or so. */
+THEOREM(beside_a_great_circle_the_gradient_is_off_by_1e_12_over_S)
+{
+    static outline o;
+    static pulled got;
+    chance c = {23};
+    surfmink_functionals w;
+    int k, which;
+    size_t i;
+    for (k = 0; k < 10; ++k)
+        for (worst = 0, which = 0; which < 40; ++which) {
+            memset(&o, 0, sizeof o);
+            o.surface = which % 2 ? SURFMINK_SPHERE : SURFMINK_EMBEDDED;
+            o.n = 7 + one_of(&c, 8);
+            o.radius = 1;
+            o.max_rank = 6;
+            for (i = 0; i < o.n; ++i) {
+                double t = 2 * PI * ((double)i + between(&c, -0.2, 0.2)) / (double)o.n;
+                double z = pow(10, -k) * between(&c, 0.4, 0.5);
+                o.corner[3 * i] = cos(t) * sqrt(1 - z * z);
+                o.corner[3 * i + 1] = sin(t) * sqrt(1 - z * z);
+                o.corner[3 * i + 2] = z;
+            }
+            turn_somehow(&c, o.corner, o.n);
+            memcpy(o.normal, o.corner, sizeof o.normal);
+            CASE("%s %d, height 1e-%d", surface_name[o.surface], which, k);
+            CHECK_OK(measure(&o, o.mu, NULL, &w));
+            weigh(&c, &o);
+            CHECK_OK(gradient(&o, &got));
+            check_gradient(&o, &got, 1e-12 / w.turning);
+        }
+}
+
+/* A corner more, next to another one, before and behind edge 0 and elsewhere. The reference knows its own differences
+   to 1e-18 of their distance. */
+THEOREM(corners_next_to_each_other_lose_no_digits)
+{
+    static outline o;
+    static pulled got;
+    double xy[2 * MOST];
+    chance c = {24};
+    int surface, which, k;
+    size_t i, at, dim;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (k = 2; k < 15; ++k)
+            for (which = 0; which < 12; ++which) {
+                static const size_t where[3] = {0, 5, 2};
+                double apart = pow(10, -k) * between(&c, 0.5, 1), *x, *y;
+                at = where[which % 3];
+                gentle_star(&c, 6, xy);
+                lay(&c, (enum surfmink_kind)surface, xy, 6, &o);
+                o.max_rank = 6;
+                dim = dim_of(&o);
+                memmove(o.corner + dim * (at + 1), o.corner + dim * at, (6 - at) * dim * sizeof *o.corner);
+                memmove(o.normal + 3 * (at + 1), o.normal + 3 * at, (6 - at) * 3 * sizeof *o.normal);
+                o.n = 7;
+                x = o.corner + dim * (at + 1);
+                y = o.corner + dim * ((at + 2) % 7);
+                for (i = 0; i < dim; ++i) x[i] += apart * (y[i] - x[i] + (i == 0 ? 0.3 * fabs(x[i]) : 0));
+                x = o.normal + 3 * (at + 1);
+                y = o.normal + 3 * ((at + 2) % 7);
+                for (i = 0; i < 3; ++i) x[i] += apart * (y[i] - x[i]);
+                CASE("%s, corner %lu, 1e-%d apart", surface_name[surface], (unsigned long)at, k);
+                if (measure(&o, o.mu, NULL, NULL) != SURFMINK_OK) continue; /* not every such corner leaves it simple */
+                weigh(&c, &o);
+                CHECK_OK(gradient(&o, &got));
+                check_gradient(&o, &got, 1e-11 + 1e-18 / apart);
+            }
+}
+
+/* --- how sure mu_p is --------------------------------------------------------------------------------------------- */
+
+enum { DRAWS = 3000, SMALL = 6 /* ranks */ };
+
+static double normal_number(chance *c)
+{
+    double u = between(c, 1e-12, 1), v = between(c, 0, 2 * PI);
+    return sqrt(-2 * log(u)) * cos(v);
+}
+
+static const double axis[3] = {1, 1.5, 2}; /* of an ellipsoid */
+
+/* The outline with noise along the surface. On the ellipsoid corners go back to it, and normals with them. */
+static void disturb(chance *c, const outline *o, double deviation, outline *noisy)
+{
+    size_t i, k, dim = dim_of(o);
+    *noisy = *o;
+    for (i = 0; i < o->n; ++i) {
+        double move[3], size = 0, *x = noisy->corner + dim * i;
+        const double *n = o->surface == SURFMINK_SPHERE ? o->corner + 3 * i : o->normal + 3 * i;
+        for (k = 0; k < dim; ++k) move[k] = deviation * normal_number(c);
+        for (k = 0; k < dim; ++k) x[k] += move[k] - (dim == 3 ? n[k] * dot3(move, n) / dot3(n, n) : 0);
+        if (o->surface != SURFMINK_EMBEDDED) continue;
+        for (k = 0; k < 3; ++k) size += x[k] / axis[k] * (x[k] / axis[k]);
+        for (k = 0; k < 3; ++k) x[k] /= sqrt(size);
+        for (k = 0; k < 3; ++k) noisy->normal[3 * i + k] = x[k] / (axis[k] * axis[k]);
+    }
+}
+
+/* A cell of about 0.2 of the radius of curvature. */
+static void some_cell(chance *c, enum surfmink_kind surface, int regular, outline *o)
+{
+    double xy[2 * MOST];
+    size_t i, n = regular ? 6 : 5 + one_of(c, 4);
+    memset(o, 0, sizeof *o);
+    gentle_star(c, n, xy);
+    for (i = 0; i < n && regular; ++i) {
+        xy[2 * i] = 0.8 * cos(2 * PI * (double)i / (double)n);
+        xy[2 * i + 1] = 0.8 * sin(2 * PI * (double)i / (double)n);
+    }
+    lay(c, surface, xy, n, o);
+    if (surface != SURFMINK_PLANE) onto_sphere(xy, n, 0.2, o->corner);
+    if (surface != SURFMINK_PLANE) turn_somehow(c, o->corner, n);
+    for (i = 0; i < 3 * n && surface == SURFMINK_EMBEDDED; ++i) {
+        o->normal[i] = o->corner[i] / axis[i % 3];
+        o->corner[i] *= axis[i % 3];
+    }
+    o->radius = 1;
+    o->max_rank = SMALL;
+}
+
+typedef struct sure {
+    double mu[SMALL + 1], sigma[SMALL + 1], bias[SMALL + 1];
+    size_t bad;
+} sure;
+
+static int noise(const outline *o, double deviation, sure *to)
+{
+    surfmink_outline view = view_of(o);
+    surfmink_uncertainty out;
+    out.mu = to->mu;
+    out.sigma = to->sigma;
+    out.bias = to->bias;
+    out.bad = &to->bad;
+    return surfmink_noise(&view, o->max_rank, deviation, &out, scratch);
+}
+
+/* Standard deviations of 3000 draws are known to 1.3 %, means of mu^2 to 2 mu sigma / sqrt(3000): four times that is
+   allowed, and what the second order leaves out. Regular polygons have mu_p = 0 but for p = 6. */
+THEOREM(sigma_and_bias_are_those_of_3000_draws)
+{
+    static outline o, noisy;
+    chance c = {25};
+    surfmink_functionals w;
+    sure says;
+    double least = 1, most = 1;
+    int surface, which, draw, p;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 12; ++which) {
+            double mu[SMALL + 1], mean[SMALL + 1] = {0}, square[SMALL + 1] = {0}, s, off;
+            some_cell(&c, (enum surfmink_kind)surface, which == 0, &o);
+            CHECK_OK(measure(&o, mu, NULL, &w));
+            s = (which % 2 ? 0.005 : 0.02) * w.length / (double)o.n;
+            CHECK_OK(noise(&o, s, &says));
+            CHECK_SAME(says.mu, mu, SMALL + 1);
+            CHECK(!(says.sigma[0] > 0) && !(says.bias[0] > 0 || says.bias[0] < 0));
+            for (draw = 0; draw < DRAWS; ++draw) {
+                disturb(&c, &o, s, &noisy);
+                CHECK_OK(measure(&noisy, mu, NULL, NULL));
+                for (p = 1; p <= SMALL; ++p) {
+                    mean[p] += (mu[p] - says.mu[p]) / DRAWS;
+                    square[p] += (mu[p] - says.mu[p]) * (mu[p] - says.mu[p]) / DRAWS;
+                }
+            }
+            for (p = 2; p <= SMALL; ++p) {
+                double spread = sqrt(square[p] - mean[p] * mean[p]);
+                double bias = square[p] + 2 * says.mu[p] * mean[p];
+                CASE("%s %d, s = %g, mu_%d = %.3f", surface_name[surface], which, s, p, says.mu[p]);
+                off = says.sigma[p] / spread;
+                CHECK(which == 0 && p == 6 ? off > 0.95 && off < 1.7 : off > 0.92 && off < 1.1);
+                if (which > 0 && off < least) least = off;
+                if (which > 0 && off > most) most = off;
+                CHECK_NEAR(says.bias[p], bias, 8 * says.mu[p] * spread / sqrt(DRAWS) + 0.25 * spread * spread);
+            }
+        }
+    NOTE("sigma over that of %d draws: %.3f to %.3f", DRAWS, least, most);
+}
+
+/* Where noise is small: |J| of the gradient, within the surface. */
+THEOREM(sigma_is_the_norm_of_the_gradient)
+{
+    static outline o;
+    static pulled got;
+    chance c = {26};
+    sure says;
+    double weight[SMALL + 1];
+    int surface, which, p;
+    size_t i;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 20; ++which) {
+            some_cell(&c, (enum surfmink_kind)surface, 0, &o);
+            if (surface == SURFMINK_SPHERE) { /* the unit of lengths is that of the radius */
+                for (i = 0; i < 3 * o.n; ++i) o.corner[i] *= 7;
+                o.radius = 1000;
+            }
+            CHECK_OK(noise(&o, surface == SURFMINK_SPHERE ? 1e-4 : 1e-7, &says));
+            for (p = 2; p <= SMALL; ++p) {
+                double norm = 0;
+                if (says.mu[p] < 0.01) continue;
+                for (i = 0; i <= SMALL; ++i) weight[i] = i == (size_t)p;
+                memset(&o.weights, 0, sizeof o.weights);
+                o.weights.mu = weight;
+                CHECK_OK(gradient(&o, &got));
+                for (i = 0; i < o.n; ++i) {
+                    const double *b = got.by_corner + dim_of(&o) * i, *n = o.normal + 3 * i;
+                    double part = surface == SURFMINK_EMBEDDED ? dot3(b, n) : 0;
+                    norm += dim_of(&o) == 2 ? b[0] * b[0] + b[1] * b[1] : dot3(b, b);
+                    if (surface == SURFMINK_EMBEDDED) norm -= part * part / dot3(n, n);
+                }
+                norm = surface == SURFMINK_SPHERE ? sqrt(norm) * 7 / 1000 * 1e-4 : sqrt(norm) * 1e-7;
+                CASE("%s %d, mu_%d = %g", surface_name[surface], which, p, says.mu[p]);
+                CHECK_CLOSE(says.sigma[p], norm, 1e-6);
+            }
+        }
+}
+
+/* Noise of twice the size has four times the bias; in another unit, a power of two, the same bits. */
+THEOREM(noise_scales_as_it_should)
+{
+    static outline o, scaled;
+    chance c = {27};
+    sure one, two;
+    int surface, which, p;
+    size_t i;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 10; ++which) {
+            some_cell(&c, (enum surfmink_kind)surface, which == 0, &o);
+            CASE("%s %d", surface_name[surface], which);
+            CHECK_OK(noise(&o, 0.01, &one));
+            CHECK_OK(noise(&o, 0.02, &two));
+            for (p = 1; p <= SMALL; ++p) CHECK_NEAR(two.bias[p], 4 * one.bias[p], 1e-13);
+            scaled = o;
+            for (i = 0; i < dim_of(&o) * o.n; ++i) scaled.corner[i] *= 1024;
+            scaled.radius = surface == SURFMINK_SPHERE ? 1024 : 1;
+            CHECK_OK(noise(&scaled, 10.24, &two));
+            for (p = 1; p <= SMALL; ++p) {
+                CHECK_CLOSE(two.bias[p], one.bias[p], 1e-12);
+                CHECK_CLOSE(two.sigma[p], one.sigma[p], 1e-12);
+            }
+            CHECK_OK(noise(&o, 0, &one));
+            for (p = 0; p <= SMALL; ++p) CHECK(!(one.sigma[p] > 0) && !(fabs(one.bias[p]) > 0));
+        }
+}
+
+THEOREM(noise_that_is_refused_changes_nothing_and_is_named)
+{
+    static outline o;
+    chance c = {28};
+    sure says;
+    surfmink_uncertainty none = {NULL, NULL, NULL, NULL};
+    surfmink_outline view;
+    int what;
+    for (what = 0; what < 6; ++what) {
+        some_cell(&c, what % 2 ? SURFMINK_SPHERE : SURFMINK_EMBEDDED, 1, &o);
+        says.mu[0] = says.sigma[0] = says.bias[0] = -77;
+        says.bad = 99;
+        if (what == 3) o.n = 2;
+        if (what == 4) surfmink_reverse(o.corner, 6, 3);
+        if (what == 4) surfmink_reverse(o.normal, 6, 3);
+        if (what == 5) o.max_rank = -1;
+        CASE("%d", what);
+        CHECK_STATUS(noise(&o,
+                           what == 0   ? -1
+                           : what == 1 ? nan("")
+                           : what == 2 ? HUGE_VAL
+                                       : 0.01,
+                           &says),
+                     what == 3   ? SURFMINK_TOO_FEW_CORNERS
+                     : what == 4 ? SURFMINK_CLOCKWISE
+                                 : SURFMINK_BAD_ARGUMENT);
+        CHECK_EQUAL(says.bad, what == 3 ? 2 : 6);
+        CHECK(says.mu[0] == -77 && says.sigma[0] == -77 && says.bias[0] == -77);
+    }
+    some_cell(&c, SURFMINK_PLANE, 1, &o);
+    view = view_of(&o);
+    CHECK_OK(surfmink_noise(&view, 6, 0.01, &none, scratch));
+    CHECK_STATUS(surfmink_noise(&view, 6, -0.01, &none, scratch), SURFMINK_BAD_ARGUMENT);
+}
+
 int main(void)
 {
     PROVE(the_gradient_is_the_derivative_by_every_coordinate);
@@ -1255,5 +1536,11 @@ int main(void)
     PROVE(an_edge_next_to_nothing_has_a_huge_gradient);
     PROVE(a_batch_says_what_single_calls_say);
     PROVE(a_batch_with_a_bad_argument_writes_nothing);
+    PROVE(beside_a_great_circle_the_gradient_is_off_by_1e_12_over_S);
+    PROVE(corners_next_to_each_other_lose_no_digits);
+    PROVE(sigma_and_bias_are_those_of_3000_draws);
+    PROVE(sigma_is_the_norm_of_the_gradient);
+    PROVE(noise_scales_as_it_should);
+    PROVE(noise_that_is_refused_changes_nothing_and_is_named);
     return QED();
 }

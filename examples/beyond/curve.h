@@ -599,10 +599,10 @@ static inline double surfmink_curve__deviations(surfmink_curve__work *work, size
 }
 
 /* The largest of rank p and its neighbours: the error of one rank may happen to change its sign, those of all seldom
-   do at once. L stands alone. */
+   do at once. L has no neighbours, and counts twice instead. */
 static inline double surfmink_curve__around(const double *off, int p)
 {
-    if (p == 0) return off[0];
+    if (p == 0) return 2 * off[0];
     return fmax(fmax(off[p], off[p + 1]), p > 1 ? off[p - 1] : 0);
 }
 
@@ -641,7 +641,7 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
 /* --- the calls ---------------------------------------------------------------------------------------------------- */
 
 /* mu and g of order 4, and the functionals of the curve from those of the polygon: what lies between them is added. The
-   polygon knows its S better than the sum of its turns does. */
+   polygon knows its S better than the sum of its turns does; phases are taken from the sum, as surfmink_measure does. */
 static inline int surfmink_curve__fourth(surfmink_curve__arcs *c, const surfmink_outline *o, int max_rank,
                                          surfmink_functionals *w, const surfmink_curve_results *out)
 {
@@ -649,7 +649,7 @@ static inline int surfmink_curve__fourth(surfmink_curve__arcs *c, const surfmink
     int status = surfmink_curve__make_arcs(c, 4);
     if (status != SURFMINK_OK) return status;
     curve.length = c->w.length * c->unit;
-    curve.turning = c->w.turning = w->turning - c->rise;
+    curve.turning = w->turning - c->rise;
     curve.curvature += c->rise;
     curve.condition = c->w.condition;
     if (o && o->kind == SURFMINK_SPHERE) curve.area = curve.curvature * o->radius * o->radius;
