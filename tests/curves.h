@@ -27,15 +27,15 @@ enum curve_place {
 static const char *const place_name[PLACES] = {
     "plane", "sphere", "sphere, chords", "ellipsoid", "torus", "hyperbolic plane, callbacks", "sphere, callbacks"};
 
-typedef struct curve {
+typedef struct random_curve {
     int set, family, place, cut;
     double a[21], b[21]; /* of the family */
     double size, angle, u, v, skew, start;
-} curve;
+} random_curve;
 
 /* --- shapes of size 1 about the origin ---------------------------------------------------------------------------- */
 
-static inline void curve_shape_found_with(const curve *c, double t, double *x, double *y)
+static inline void curve_shape_found_with(const random_curve *c, double t, double *x, double *y)
 {
     double r = 1;
     int k;
@@ -52,7 +52,7 @@ static inline void curve_shape_found_with(const curve *c, double t, double *x, d
     *y = r * sin(t);
 }
 
-static inline void curve_shape_judged_by(const curve *c, double t, double *x, double *y)
+static inline void curve_shape_judged_by(const random_curve *c, double t, double *x, double *y)
 {
     double r = 1, s = sin(2 * t), k = c->a[1];
     switch (c->family) {
@@ -70,9 +70,9 @@ static inline void curve_shape_judged_by(const curve *c, double t, double *x, do
     }
 }
 
-static inline curve some_curve(chance *luck, int set, int place)
+static inline random_curve some_curve(chance *luck, int set, int place)
 {
-    curve c;
+    random_curve c;
     int k;
     memset(&c, 0, sizeof c);
     c.set = set;
@@ -108,7 +108,7 @@ static inline curve some_curve(chance *luck, int set, int place)
 
 /* --- on surfaces, cut into edges ---------------------------------------------------------------------------------- */
 
-static inline void curve_at(const curve *c, double t, double *corner, double *normal)
+static inline void curve_at(const random_curve *c, double t, double *corner, double *normal)
 {
     static const chart chart_of[SETS][3] = {{{ELLIPSOID, 1, 1, 1}, {ELLIPSOID, 1.6, 1.3, 1}, {TORUS, 2, 0.8, 0}},
                                             {{ELLIPSOID, 1, 1, 1}, {ELLIPSOID, 1, 1.5, 0.8}, {TORUS, 1.5, 0.7, 0}}};
@@ -129,7 +129,7 @@ static inline void curve_at(const curve *c, double t, double *corner, double *no
 }
 
 /* n corners: smoothly graded, by chance, or alternating. */
-static inline void curve_points(const curve *c, size_t n, chance *luck, double *corner, double *normal)
+static inline void curve_points(const random_curve *c, size_t n, chance *luck, double *corner, double *normal)
 {
     size_t i, dim = c->place == PLACE_PLANE || c->place == PLACE_HYPERBOLIC ? 2 : 3;
     double off = c->set == FOUND_WITH ? 0.3 : 0.35, s;
@@ -151,8 +151,8 @@ static inline int curve_curvature(void *context, const double *x, double *curvat
     return SURFMINK_OK;
 }
 
-static inline int curve_measure(const curve *c, size_t n, int order, double *corner, double *normal, double *scratch,
-                                const surfmink_curve_results *out)
+static inline int curve_measure(const random_curve *c, size_t n, int order, double *corner, double *normal,
+                                double *scratch, const surfmink_curve_results *out)
 {
     static double one = 1;
     surfmink_curve_options options = {0, NULL, 0, NULL};
@@ -232,7 +232,7 @@ static inline int estimate_curve(chance *luck, int set, int place, estimates e[2
 {
     static double corner[3 * CURVE_FINEST], normal[3 * CURVE_FINEST],
         scratch[SURFMINK_CURVE_SCRATCH(CURVE_FINEST, CURVE_RANKS)];
-    curve c = some_curve(luck, set, place), smooth = c;
+    random_curve c = some_curve(luck, set, place), smooth = c;
     chance cut = {chance_bits(luck)};
     double truth[2][CURVE_RANKS + 1], mu[CURVE_RANKS + 1], error[CURVE_RANKS + 1], exact;
     size_t n = (size_t)magnitude(luck, (double)corner_range[0], (double)corner_range[CORNER_RANGES]), range = 0;

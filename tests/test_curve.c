@@ -1246,13 +1246,13 @@ THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
         double swept[16], rise[16], turn[16], mu[P + 1], g[2 * P + 2], want[2 * P + 2] = {0};
         double slope, lead = 0, total = 0, turned = 0, length = 0, phase = 0, l;
         surfmink_functionals w;
-        surfmink_curve_measured edges = {0, NULL, NULL, NULL, NULL, NULL, NULL};
+        surfmink_curve_measured given = {0, NULL, NULL, NULL, NULL, NULL, NULL};
         surfmink_curve_results out = {NULL, NULL, NULL, NULL};
         size_t i, before;
         int known;
-        edges.length = e.length;
-        edges.turning = e.turning;
-        edges.curvature = e.curvature;
+        given.length = e.length;
+        given.turning = e.turning;
+        given.curvature = e.curvature;
         out.mu = mu;
         out.g = g;
         out.w = &w;
@@ -1290,13 +1290,13 @@ THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
             }
         }
         CASE("round %d, %d corners, %d sharp", round, (int)e.n, sharps);
-        edges.n = e.n;
+        given.n = e.n;
         if (e.with_bends) {
-            edges.bend = e.bend;
-            edges.twist = e.twist;
+            given.bend = e.bend;
+            given.twist = e.twist;
         }
-        if (sharps) edges.sharp = e.sharp;
-        known = surfmink_curve_edges(&edges, P, scratch, &out);
+        if (sharps) given.sharp = e.sharp;
+        known = surfmink_curve_edges(&given, P, scratch, &out);
         if (!(total > 1)) continue; /* that would be ill-conditioned */
         CHECK_OK(known);
         CHECK_CLOSE(w.length, length, 1e-14);
