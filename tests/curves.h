@@ -7,6 +7,7 @@
 #define CURVES_H
 
 #include "../examples/beyond/curve.h"
+#include "../examples/surfaces/ellipsoid.h"
 #include "shapes.h"
 
 #include <stdlib.h>
@@ -22,10 +23,17 @@ enum curve_place {
     PLACE_TORUS,
     PLACE_HYPERBOLIC,
     PLACE_SPHERE_CALLBACKS,
+    PLACE_ELLIPSOID_CALLBACKS,
     PLACES
 };
-static const char *const place_name[PLACES] = {
-    "plane", "sphere", "sphere, chords", "ellipsoid", "torus", "hyperbolic plane, callbacks", "sphere, callbacks"};
+static const char *const place_name[PLACES] = {"plane",
+                                               "sphere",
+                                               "sphere, chords",
+                                               "ellipsoid",
+                                               "torus",
+                                               "hyperbolic plane, callbacks",
+                                               "sphere, callbacks",
+                                               "ellipsoid, callbacks"};
 
 typedef struct random_curve {
     int set, family, place, cut;
@@ -123,7 +131,8 @@ static inline void curve_at(const random_curve *c, double t, double *corner, dou
         corner[0] = a * (c->place == PLACE_PLANE ? 1 : 0.7); /* all within the unit disk */
         corner[1] = b * (c->place == PLACE_PLANE ? 1 : 0.7);
     } else {
-        int which = c->place == PLACE_ELLIPSOID ? 1 : c->place == PLACE_TORUS ? 2 : 0;
+        int on_ellipsoid = c->place == PLACE_ELLIPSOID || c->place == PLACE_ELLIPSOID_CALLBACKS;
+        int which = on_ellipsoid ? 1 : c->place == PLACE_TORUS ? 2 : 0;
         chart_point(&chart_of[c->set][which], c->u + a, c->v + b, corner, normal, NULL, NULL);
     }
 }
@@ -146,25 +155,31 @@ static inline void curve_points(const random_curve *c, size_t n, chance *luck, d
 
 static inline int curve_curvature(void *context, const double *x, double *curvature)
 {
-    (void)x;
-    *curvature = context ? 1 : -1;
-    return SURFMINK_OK;
+    return surfmink_implicit_curvature((const surfmink_implicit *)context, x, curvature);
 }
 
 static inline int curve_measure(const random_curve *c, size_t n, int order, double *corner, double *normal,
                                 double *scratch, const surfmink_curve_results *out)
 {
-    static double one = 1;
+    static const double axis[SETS][3] = {{1.6, 1.3, 1}, {1, 1.5, 0.8}}, sphere[3] = {1, 1, 1};
+    surfmink_implicit body = surfmink_ellipsoid(c->place == PLACE_ELLIPSOID_CALLBACKS ? axis[c->set] : sphere);
     surfmink_curve_options options = {0, NULL, 0, NULL};
-    surfmink_surface surface = c->place == PLACE_HYPERBOLIC ? hyperbolic_plane() : surfmink_sphere_surface(&one);
+    surfmink_surface surface = surfmink_implicit_surface(&body);
+    double one = 1;
     surfmink_outline o = surfmink_embedded(corner, normal, n);
     options.order = order;
     if (c->place == PLACE_PLANE) o = surfmink_plane(corner, n);
     if (c->place == PLACE_SPHERE) o = surfmink_sphere(corner, n, 1);
-    if (c->place == PLACE_HYPERBOLIC) options.curvature = -1;
-    if (c->place == PLACE_SPHERE_CALLBACKS) options.curvature_at = curve_curvature;
-    if (c->place == PLACE_HYPERBOLIC || c->place == PLACE_SPHERE_CALLBACKS)
-        o = surfmink_on_surface(&surface, corner, n);
+    if (c->place == PLACE_HYPERBOLIC) {
+        surface = hyperbolic_plane();
+        options.curvature = -1;
+    }
+    if (c->place == PLACE_SPHERE_CALLBACKS) {
+        surface = surfmink_sphere_surface(&one);
+        options.curvature = 1;
+    }
+    if (c->place == PLACE_ELLIPSOID_CALLBACKS) options.curvature_at = curve_curvature;
+    if (c->place >= PLACE_HYPERBOLIC) o = surfmink_on_surface(&surface, corner, n);
     return surfmink_curve(&o, &options, CURVE_RANKS, scratch, out, NULL);
 }
 
@@ -241,12 +256,13 @@ static inline int estimate_curve(chance *luck, int set, int place, estimates e[2
     int fine, order, p, refused = 0;
     out.mu = mu;
     out.w = &w;
+    if (place == PLACE_ELLIPSOID_CALLBACKS) smooth.place = PLACE_ELLIPSOID; /* the same curve, and quicker */
     smooth.cut = 0;
     smooth.skew = 0;
     for (fine = 0; fine < 2; ++fine) {
         curve_points(&smooth, CURVE_FINEST / (size_t)(2 - fine), &cut, corner, normal);
         refused +=
-            curve_measure(&c, CURVE_FINEST / (size_t)(2 - fine), 4, corner, normal, scratch, &out) != SURFMINK_OK;
+            curve_measure(&smooth, CURVE_FINEST / (size_t)(2 - fine), 4, corner, normal, scratch, &out) != SURFMINK_OK;
         memcpy(truth[fine], mu, sizeof mu);
         truth[fine][0] = w.length;
     }
