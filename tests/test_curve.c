@@ -443,6 +443,35 @@ THEOREM(circles_of_the_hyperbolic_plane_converge_at_fourth_order)
     }
 }
 
+/* Geodesics of an ellipsoid, where K changes from corner to corner, lead to the same curve as chords. */
+THEOREM(geodesics_and_chords_lead_to_the_same_curve)
+{
+    static outline o;
+    static random_curve c;
+    double gap[2][3];
+    int fine, p;
+    chance luck = {64};
+    c = some_curve(&luck, FOUND_WITH, PLACE_ELLIPSOID_CALLBACKS);
+    c.cut = 0;
+    for (fine = 0; fine < 2; ++fine) {
+        measured chords, geodesics;
+        surfmink_curve_results out = results_of(&geodesics);
+        o.kind = SURFMINK_EMBEDDED;
+        o.n = fine ? 320 : 80;
+        curve_points(&c, o.n, NULL, o.corner, o.normal);
+        chords = measure(&o, NULL, 4);
+        CHECK_OK(curve_measure(&c, o.n, 4, o.corner, o.normal, scratch, &out));
+        gap[fine][0] = geodesics.w.length / chords.w.length - 1;
+        gap[fine][1] = geodesics.w.turning - chords.w.turning;
+        for (gap[fine][2] = 0, p = 1; p <= CURVE_RANKS; ++p)
+            gap[fine][2] = fmax(gap[fine][2], fabs(geodesics.mu[p] - chords.mu[p]));
+    }
+    for (p = 0; p < 3; ++p) {
+        CASE("%s: %.1e", quantity_name[p], gap[1][p]);
+        CHECK_NEAR(log2(gap[0][p] / gap[1][p]) / 2, 4, 0.2);
+    }
+}
+
 /* Areas: of a disk, a cap, and bumps, whose area is half the integral of r^2. */
 THEOREM(areas_converge_at_fourth_order_too)
 {
@@ -1246,13 +1275,13 @@ THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
         double swept[16], rise[16], turn[16], mu[P + 1], g[2 * P + 2], want[2 * P + 2] = {0};
         double slope, lead = 0, total = 0, turned = 0, length = 0, phase = 0, l;
         surfmink_functionals w;
-        surfmink_curve_measured edges = {0, NULL, NULL, NULL, NULL, NULL, NULL};
+        surfmink_curve_measured given = {0, NULL, NULL, NULL, NULL, NULL, NULL};
         surfmink_curve_results out = {NULL, NULL, NULL, NULL};
         size_t i, before;
         int known;
-        edges.length = e.length;
-        edges.turning = e.turning;
-        edges.curvature = e.curvature;
+        given.length = e.length;
+        given.turning = e.turning;
+        given.curvature = e.curvature;
         out.mu = mu;
         out.g = g;
         out.w = &w;
@@ -1290,13 +1319,13 @@ THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
             }
         }
         CASE("round %d, %d corners, %d sharp", round, (int)e.n, sharps);
-        edges.n = e.n;
+        given.n = e.n;
         if (e.with_bends) {
-            edges.bend = e.bend;
-            edges.twist = e.twist;
+            given.bend = e.bend;
+            given.twist = e.twist;
         }
-        if (sharps) edges.sharp = e.sharp;
-        known = surfmink_curve_edges(&edges, P, scratch, &out);
+        if (sharps) given.sharp = e.sharp;
+        known = surfmink_curve_edges(&given, P, scratch, &out);
         if (!(total > 1)) continue; /* that would be ill-conditioned */
         CHECK_OK(known);
         CHECK_CLOSE(w.length, length, 1e-14);
@@ -1737,6 +1766,7 @@ int main(void)
     PROVE(a_corner_marked_sharp_where_it_is_smooth_costs_no_order);
     PROVE(without_corrections_curves_converge_at_second_order);
     PROVE(circles_of_the_hyperbolic_plane_converge_at_fourth_order);
+    PROVE(geodesics_and_chords_lead_to_the_same_curve);
     PROVE(areas_converge_at_fourth_order_too);
     PROVE(errors_of_a_hundredth_take_the_gain_away);
     PROVE(arcs_converge_at_fourth_order_if_their_ends_are_marked);

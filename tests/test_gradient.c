@@ -1277,7 +1277,7 @@ THEOREM(corners_next_to_each_other_lose_no_digits)
     static pulled got;
     double xy[2 * MOST];
     chance c = {24};
-    int surface, which, k;
+    int surface, which, k, tried = 0;
     size_t i, at, dim;
     for (surface = 0; surface < SURFACES; ++surface)
         for (k = 2; k < 15; ++k)
@@ -1303,7 +1303,9 @@ THEOREM(corners_next_to_each_other_lose_no_digits)
                 weigh(&c, &o);
                 CHECK_OK(gradient(&o, &got));
                 check_gradient(&o, &got, 1e-11 + 1e-18 / apart);
+                ++tried;
             }
+    CHECK(tried > 400); /* of 468 */
 }
 
 /* --- how sure mu_p is --------------------------------------------------------------------------------------------- */

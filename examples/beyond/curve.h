@@ -373,25 +373,33 @@ static inline void surfmink_curve__unit_vector(const double v[3], double unit[3]
     for (k = 0; k < 3; ++k) unit[k] /= norm;
 }
 
-static inline int surfmink_curve_bends(const surfmink_outline *o, double *bend, double *twist, size_t *bad)
+/* a_i and w_i of all edges; or, if bend is NULL, whether they have any. */
+static inline int surfmink_curve__bends(const surfmink_outline *o, double *bend, double *twist, size_t *bad)
 {
     double frame[9], a[3], b[3]; /* nu = e x N, e, N */
     size_t i;
-    int k, writes, status;
-    if (o->kind != SURFMINK_EMBEDDED) return surfmink_curve__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
-    if (o->n < 3) return surfmink_curve__blame(SURFMINK_TOO_FEW_CORNERS, o->n, bad);
-    for (writes = 0; writes < 2; ++writes) /* nothing is written before all edges have passed */
-        for (i = 0; i < o->n; ++i) {
-            status = surfmink_frame(o, i, frame);
-            if (status != SURFMINK_OK) return surfmink_curve__blame(status, i + 1 < o->n ? i + 1 : i, bad);
-            if (!writes) continue;
-            surfmink_curve__unit_vector(o->normal + 3 * i, a);
-            surfmink_curve__unit_vector(o->normal + 3 * (i + 1 < o->n ? i + 1 : 0), b);
-            bend[i] = twist[i] = 0;
-            for (k = 0; k < 3; ++k) bend[i] -= (b[k] - a[k]) * frame[3 + k];
-            for (k = 0; k < 3; ++k) twist[i] += (b[k] - a[k]) * frame[k];
-        }
+    int k, status;
+    for (i = 0; i < o->n; ++i) {
+        status = surfmink_frame(o, i, frame);
+        if (status != SURFMINK_OK) return surfmink_curve__blame(status, i + 1 < o->n ? i + 1 : i, bad);
+        if (!bend) continue;
+        surfmink_curve__unit_vector(o->normal + 3 * i, a);
+        surfmink_curve__unit_vector(o->normal + 3 * (i + 1 < o->n ? i + 1 : 0), b);
+        bend[i] = twist[i] = 0;
+        for (k = 0; k < 3; ++k) bend[i] -= (b[k] - a[k]) * frame[3 + k];
+        for (k = 0; k < 3; ++k) twist[i] += (b[k] - a[k]) * frame[k];
+    }
     return SURFMINK_OK;
+}
+
+static inline int surfmink_curve_bends(const surfmink_outline *o, double *bend, double *twist, size_t *bad)
+{
+    int status = SURFMINK_OK;
+    if (o->kind != SURFMINK_EMBEDDED) status = SURFMINK_BAD_ARGUMENT;
+    if (status == SURFMINK_OK && o->n < 3) status = SURFMINK_TOO_FEW_CORNERS;
+    if (status != SURFMINK_OK) return surfmink_curve__blame(status, o->n, bad);
+    status = surfmink_curve__bends(o, NULL, NULL, bad); /* nothing is written before all edges have passed */
+    return status == SURFMINK_OK ? surfmink_curve__bends(o, bend, twist, bad) : status;
 }
 
 /* Curvature at a corner is a turn over two lengths: order 4 is worth something as long as both matter. Beyond that a
@@ -515,7 +523,7 @@ static inline int surfmink_curve__look_around(surfmink_curve__work *work, const 
     if (o->kind == SURFMINK_EMBEDDED) {
         c->bend = work->bend;
         c->twist = work->twist;
-        return surfmink_curve_bends(o, work->bend, work->twist, bad);
+        return surfmink_curve__bends(o, work->bend, work->twist, bad);
     }
     if (o->kind != SURFMINK_SURFACE || !work->options->curvature_at) return SURFMINK_OK;
     for (i = 0; i < c->n; ++i) work->bend[i] = work->twist[(size_t)work->corner[i]] / 2;

@@ -1,8 +1,7 @@
-/* gradient.h - how mu_p changes if a corner moves, and how sure it is, for surfmink.h - MIT or public domain, as
-   surfmink.h
+/* gradient.h - gradients of mu_p, and how sure it is, for surfmink.h - MIT or public domain, as surfmink.h
 
      double by_mu[7] = {0, 0, 0, 0, 0, 0, -1};                          // E = -mu_6
-     double by_corner[18], scratch[100];                                // surfmink_gradient_room(6, 6) or more
+     double by_corner[18], scratch[38];                                 // surfmink_gradient_room(6, 6)
      surfmink_weights energy = {by_mu, NULL, NULL, NULL, 0};
      surfmink_gradients out = {NULL, NULL, NULL, NULL, NULL, by_corner, NULL};
      int status = surfmink_gradient(&cell, 6, &energy, &out, scratch);  // a cell of 6 corners; -by_corner is the force
@@ -54,7 +53,7 @@ typedef struct surfmink_weights {
 typedef struct surfmink_gradients {
     int *status;             /* batches; single calls return it */
     size_t *bad;             /* only of refused outlines: the corner to blame, or n */
-    double *mu;              /* P + 1, as surfmink_measure, to the bit */
+    double *mu;              /* P + 1, as surfmink_measure, to the bit (if L > 1e-290) */
     double *g;               /* 2 P + 2, likewise */
     surfmink_functionals *w; /* 1, likewise */
     double *by_corner;       /* dim n, dim = 2 in the plane, else 3: dE/dx_i; on the sphere orthogonal to x_i */
@@ -444,7 +443,8 @@ static inline int surfmink_gradient__blame(int status, size_t corner, size_t *ba
 }
 
 /* Step 1: weights of lengths and turning angles become the gradient by corners, and normals. They need not come from
-   above: an energy of lengths and angles may be anything.
+   above: an energy of lengths and angles may be anything. An edge gets the difference of the weights of its turns over
+   its length: one d times as long as the others costs 1e-16 / d of the norm, which surfmink_gradient avoids.
    by_length, by_turning  n
    by_corner, by_normal   as in surfmink_gradients
    scratch    2 n         doubles to work in
@@ -635,8 +635,8 @@ static inline double surfmink_gradient__spread(double m, double aa, double bb, d
 
 /* What surfmink_noise works with: edges, phases f_i, z_i = exp(i f_i) and its power p. */
 typedef struct surfmink_gradient__tape {
-    double *length, *phase, *by_length, *by_turning, *step, *z, *power;
-    double deviation;
+    double *length, *phase, *by_length, *by_turning, *step, *z, *power, deviation;
+    surfmink_gradient__edges by; /* the same, as step 1 reads them */
     surfmink_functionals total;
 } surfmink_gradient__tape;
 
@@ -646,13 +646,8 @@ typedef struct surfmink_gradient__tape {
 static inline void surfmink_gradient__part(const surfmink_outline *o, const surfmink_gradient__tape *t, size_t p,
                                            const double w[2], double drop, double turn, double *by_corner)
 {
-    surfmink_gradient__edges by;
     double along, across, moment = 0;
     size_t i;
-    by.length = t->length;
-    by.by_length = t->by_length;
-    by.by_turning = t->by_turning;
-    by.step = t->step;
     for (i = 0; i < o->n; ++i) {
         along = w[0] * t->power[2 * i] + w[1] * t->power[2 * i + 1];
         across = w[0] * t->power[2 * i + 1] - w[1] * t->power[2 * i];
@@ -662,7 +657,7 @@ static inline void surfmink_gradient__part(const surfmink_outline *o, const surf
     }
     surfmink_gradient__turns(t->step, o->n, t->total.turning, moment, turn, t->by_turning, t->step);
     t->step[0] += turn;
-    surfmink_gradient__corners(o, &by, by_corner, NULL);
+    surfmink_gradient__corners(o, &t->by, by_corner, NULL);
     surfmink_gradient__tangential(o, t->deviation, by_corner);
 }
 
@@ -709,7 +704,7 @@ static inline void surfmink_gradient__rank_noise(const surfmink_outline *o, surf
     }
 }
 
-/* Doubles of scratch for that. */
+/* Doubles of scratch that surfmink_noise needs. */
 static inline size_t surfmink_noise_room(size_t n, int max_rank)
 {
     return 18 * n + 2 * ((size_t)(max_rank > 0 ? max_rank : 0) + 1);
@@ -737,7 +732,6 @@ static inline int surfmink_noise(const surfmink_outline *outline, int max_rank, 
     const size_t n = outline->n;
     double *part[3], *g = scratch + 18 * n, *mu = out->mu;
     surfmink_gradient__tape t;
-    surfmink_gradient__edges by;
     size_t i, p;
     int status = deviation >= 0 && deviation < 1e307 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
     if (status != SURFMINK_OK) return surfmink_gradient__blame(status, n, out->bad);
@@ -758,11 +752,11 @@ static inline int surfmink_noise(const surfmink_outline *outline, int max_rank, 
         t.by_length[i] = 1;
         t.by_turning[i] = t.step[i] = 0;
     }
-    by.length = t.length;
-    by.by_length = t.by_length;
-    by.by_turning = t.by_turning;
-    by.step = t.step;
-    surfmink_gradient__corners(outline, &by, part[2], NULL);
+    t.by.length = t.length;
+    t.by.by_length = t.by_length;
+    t.by.by_turning = t.by_turning;
+    t.by.step = t.step;
+    surfmink_gradient__corners(outline, &t.by, part[2], NULL);
     surfmink_gradient__tangential(outline, deviation, part[2]);
     if (out->sigma) out->sigma[0] = 0;
     if (out->bias) out->bias[0] = 0;
