@@ -25,24 +25,25 @@
 #include <math.h>
 #include <string.h>
 
-/* What may be wrong besides enum surfmink_status. surfmink_merge drops a corner that nearly repeats the one before. */
-enum surfmink_curve_status {
-    SURFMINK_CURVE_UNLIKE_EDGES =
-        100 /* order 4: two edges at a corner that is not sharp differ by more than 1 : 1000 */
-};
+/* What may be wrong besides enum surfmink_status: order 4, and two edges at a corner that is not sharp differ by more than
+   1 : 1000. surfmink_merge drops a corner that nearly repeats the one before. */
+enum surfmink_curve_status { SURFMINK_CURVE_UNLIKE_EDGES = 100 };
 
 /* As surfmink_strerror and surfmink_status_name, for the status above too. */
 static inline const char *surfmink_curve_strerror(int status);
 static inline const char *surfmink_curve_status_name(int status);
 
+/* What is known of the curve.
+   order              2: the polygon stands for the curve; 4
+   sharp       n      not 0 where the curve itself has a corner between two smooth arcs; or NULL: nowhere. Order 4 then
+                      looks along each arc only; an arc of one edge is straight or a geodesic
+   curvature          callback surface: the Gaussian curvature K in 1 / length^2, if it is the same everywhere
+   curvature_at       callback surface: writes K at the corner x, and returns as the callbacks of the surface do; or NULL */
 typedef struct surfmink_curve_options {
-    int order; /* 2: the polygon stands for the curve; 4 */
-    const unsigned char
-        *sharp;       /* n, not 0 where the curve itself has a corner between two smooth arcs; or NULL: nowhere.
-                                   Order 4 then looks along each arc only; an arc of one edge is straight or a geodesic */
-    double curvature; /* of a callback surface: the Gaussian curvature, in 1 / length^2, if it is constant */
-    int (*curvature_at)(void *context, const double *x, double *curvature); /* else: writes that at the corner x, and
-                                   returns as the callbacks of the surface do; or NULL */
+    int order;
+    const unsigned char *sharp;
+    double curvature;
+    int (*curvature_at)(void *context, const double *x, double *curvature);
 } surfmink_curve_options;
 
 /* error[p] where nothing is known: for mu_p, which lies in [0, 1], that is a bound; for L it is a sign. */
@@ -615,8 +616,8 @@ static inline double surfmink_curve__around(const double *off, int p)
 }
 
 /* Errors are proportional to sum l_i^(order + 1): from all corners to every second and to every fourth one they grow by
-   known factors. So either deviation tells the error, and the larger one counts. Where the growth that is seen is slower
-   than that, it counts instead. Where it is no doubling, which would be order 1, nothing is known; nor of ranks whose
+   known factors. So either deviation tells the error, and the larger one counts. Where the growth that is seen is
+   slower, it counts instead. Where it is below a doubling, which would be order 1, nothing is known; nor of ranks whose
    phase takes half a turn from one edge to the next. */
 static inline void surfmink_curve__estimate(surfmink_curve__work *work, const surfmink_curve__arcs *all, int max_rank,
                                             double *error)
@@ -636,8 +637,11 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
         if (!(fourfold >= 0 && p * phase < surfmink_curve__pi)) continue;
         half = surfmink_curve__around(work->half, p);
         quarter = surfmink_curve__around(work->quarter, p);
-        if (!(half > noise)) error[p] = noise;
-        if (!(half > noise) || !(twofold > all->power && fourfold > all->power)) continue;
+        if (!(half > noise)) {
+            error[p] = noise;
+            continue;
+        }
+        if (!(twofold > all->power && fourfold > all->power)) continue; /* hardly a corner is left out */
         growth = quarter / half - 1; /* from half, which lacks the error itself, to quarter, which does too */
         if (!(growth >= 2)) continue;
         half /= fmin(twofold / all->power, growth) - 1;
