@@ -25,8 +25,8 @@
 #include <math.h>
 #include <string.h>
 
-/* What may be wrong besides enum surfmink_status: order 4, and two edges at a corner that is not sharp differ by more than
-   1 : 1000. surfmink_merge drops a corner that nearly repeats the one before. */
+/* What may be wrong besides enum surfmink_status: order 4, and two edges at a corner that is not sharp differ by more
+   than 1 : 1000. surfmink_merge drops a corner that nearly repeats the one before. */
 enum surfmink_curve_status { SURFMINK_CURVE_UNLIKE_EDGES = 100 };
 
 /* As surfmink_strerror and surfmink_status_name, for the status above too. */
@@ -38,7 +38,7 @@ static inline const char *surfmink_curve_status_name(int status);
    sharp       n      not 0 where the curve itself has a corner between two smooth arcs; or NULL: nowhere. Order 4 then
                       looks along each arc only; an arc of one edge is straight or a geodesic
    curvature          callback surface: the Gaussian curvature K in 1 / length^2, if it is the same everywhere
-   curvature_at       callback surface: writes K at the corner x, and returns as the callbacks of the surface do; or NULL */
+   curvature_at       callback surface: writes K at the corner x, and returns as the other callbacks do; or NULL */
 typedef struct surfmink_curve_options {
     int order;
     const unsigned char *sharp;
@@ -221,8 +221,8 @@ static inline double surfmink_curve__rise(const surfmink_curve__arcs *c, size_t 
     return (a * surfmink_curve__torsion_change(c, i) + c->swept[i] * (a * a - w * w)) / 12;
 }
 
-/* Order 4: turns and arc lengths of the curve. Between corners its direction runs through the angle D_i = swept, half of
-   it on either side of a mean that is the direction of the chord but for A_i. */
+/* Order 4: turns and arc lengths of the curve. Between corners its direction runs through the angle D_i = swept, half
+   of it on either side of a mean that is the direction of the chord but for A_i. */
 static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
 {
     double slope, before = surfmink_curve__slant(c, c->n - 1), here, a, total, lost = 0;
@@ -304,8 +304,8 @@ static inline void surfmink_curve__add(double sum[2], double x)
     sum[0] = total;
 }
 
-/* Adds to `sum` the parts of p g_p, p = first, first + 1, ... On an arc the phase runs from f - x to f + x, x = pi D / S,
-   and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of exp(i x)^p, which
+/* Adds to `sum` the parts of p g_p, p = first, first + 1, ... On an arc the phase runs from f - x to f + x, where x =
+   pi D / S, and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of exp(i x)^p, which
    keeps its digits however small x is. */
 static inline void surfmink_curve__add_ranks(const surfmink_curve__arcs *c, int first, int ranks, double (*sum)[2])
 {
@@ -652,8 +652,8 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
 
 /* --- the calls ---------------------------------------------------------------------------------------------------- */
 
-/* mu and g of order 4, and the functionals of the curve from those of the polygon: what lies between them is added. The
-   polygon knows its S better than the sum of its turns does; phases are taken from the sum, as surfmink_measure does. */
+/* mu and g of order 4, and the functionals of the curve: those of the polygon, and what lies between the two. The polygon
+   knows its S better than the sum of turns does; phases are shares of the sum, as in surfmink_measure. */
 static inline int surfmink_curve__fourth(surfmink_curve__arcs *c, const surfmink_outline *o, int max_rank,
                                          surfmink_functionals *w, const surfmink_curve_results *out)
 {
