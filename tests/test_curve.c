@@ -97,8 +97,8 @@ static measured measure(outline *o, const unsigned char *sharp, int order)
 
 /* --- docs/beyond.md ----------------------------------------------------------------------------------------------- */
 
-/* A row of a table there: errors, and in brackets the orders of their convergence, if there are any; 0 is a dash. Prints
-   it as the page has it, and holds the page to it: errors to 8 % or a rounding, orders to 0.02. */
+/* A row of a table there: errors, and in brackets the orders of their convergence, if there are any; 0 is a dash.
+   Prints it as the page has it, and holds the page to it: errors to 8 % or a rounding, orders to 0.02. */
 static void documented(const char *key, const double *error, const double *order, int count)
 {
     static char page[100000], line[300];
@@ -770,8 +770,8 @@ static void along(const wobble *w, size_t n, outline *o)
     wobble_points(w, n, o->corner, o->normal);
 }
 
-/* Of curves that the rules were not found with: within the estimate in 95 %, within three times it in 99.9 %, half of the
-   errors above a tenth of it. make accuracy takes more curves and prints the table of docs/beyond.md. */
+/* Of curves that the rules were not found with: within the estimate in 95 %, within three times it in 99.9 %, half of
+   the errors above a tenth of it. make accuracy takes more curves and prints the table of docs/beyond.md. */
 THEOREM(errors_of_unseen_curves_are_within_their_estimates)
 {
     static estimates e[2][CORNER_RANGES], none;
