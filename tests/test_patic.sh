@@ -221,9 +221,9 @@ check "and no warning" "$(grep -c WARNING err)" 0
 # An octahedron whose upper normals point down, as of a tissue that has too few cells to show which way it bends.
 awk 'BEGIN {
     OFS = "\t"; split("1 0 -1 0", c, " "); split("0 1 0 -1", d, " ")
-    print "cell", "x", "y", "z", "nx", "ny", "nz"
+    print "cell", "x", "y", "z", "nx", "ny", "nz"; down = -1
     for (s = 1; s > -2; s -= 2) for (k = 1; k < 5; ++k) {
-        m = s > 0 ? k : k % 4 + 1; n = s > 0 ? k % 4 + 1 : k; normal = c[m] + c[n] OFS d[m] + d[n] OFS -1
+        m = s > 0 ? k : k % 4 + 1; n = s > 0 ? k % 4 + 1 : k; normal = c[m] + c[n] OFS d[m] + d[n] OFS down
         print s k, c[m], d[m], 0, normal; print s k, c[n], d[n], 0, normal; print s k, 0, 0, s, normal
     } }' > coarse.tsv
 run --rank 6 --radius 0,1c --summary coarse.tsv
