@@ -1157,7 +1157,8 @@ static int surfmink__check_edge(const surfmink_outline *o, size_t i)
 }
 
 /* A corner that the plain formulas do not measure: they are tried again at ordinary magnitude, so that the same bits
-   come out in any unit; then it has its turn with twice the digits. Returns 0 if there is something wrong with it. */
+   come out in any unit (on a sphere they were there); then it has its turn with twice the digits. Returns 0 if there is
+   something wrong with it. */
 static int surfmink__corner_twice(const surfmink_outline *o, size_t i, double *length, double *sine, double *cosine)
 {
     size_t previous = surfmink__previous(o, i), next = surfmink__next(o, i), k;
@@ -1191,7 +1192,8 @@ static int surfmink__corner_twice(const surfmink_outline *o, size_t i, double *l
     nn = surfmink__dot(n, n);
     surfmink__turn(in, in_in, out, out_out, n, nn, sine, cosine);
     *sine *= SURFMINK_SQRT(nn);
-    if (surfmink__plain(in_in, out_out, *sine, *cosine, surfmink__steep * surfmink__steep * nn * nn * in_in * out_out))
+    if (o->kind != SURFMINK_SPHERE &&
+        surfmink__plain(in_in, out_out, *sine, *cosine, surfmink__steep * surfmink__steep * nn * nn * in_in * out_out))
         return 1;
     surfmink__leftward(axis, before, x, from);
     surfmink__leftward(axis, x, after, to);
@@ -1240,8 +1242,8 @@ static double surfmink__ray_scale(const surfmink_outline *o)
 
 /* Great-circle edges of corners that may lie a little off the sphere. The direction of an edge in the tangent plane is
    that of the chord; its length needs the chord within the unit sphere, whose square is
-   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. Where an edge rises by more than a tenth of its length, where it is shorter than eps, and
-   next to antipodes the size becomes infinite, and the corner is not plain. */
+   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. A corner is not plain where the edge rises by more than a tenth of its length, is
+   shorter than eps, or ends next to the antipode. */
 static void surfmink__arcs(const double *x, double radius, surfmink__quad *l)
 {
     double norm[SURFMINK__QUAD + 1], rise, chord[SURFMINK__QUAD], root[SURFMINK__QUAD];
