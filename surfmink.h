@@ -76,7 +76,7 @@
      winds, or encloses a curvature near 2 pi, every outline that is not refused has
        L       to 1e-15, relative
        S       to 2e-15 c, relative; through callbacks to 2e-15 (c + sqrt(n) / 50)
-       mu_p    to 1e-14 (1 + c + c^2 / 50), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
+       mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
        area    to 2e-15 of half the sum of |x_i - x_0| l_i; slivers are small beside that. Of embedded outlines it is an
                estimate: see surfmink_area
      by each way to measure: single calls, steps, callbacks, batches; at any size, from 3 to 1e5 corners, for edges from
@@ -1589,14 +1589,16 @@ static double surfmink__solid_angle(const surfmink_outline *o, double *solid_ang
     static const double direction[14][3] = {{1, .1, .2},   {-1, -.2, .1}, {.2, 1, -.1},  {-.1, -1, -.2}, {.1, -.2, 1},
                                             {-.2, .1, -1}, {1, .9, .8},   {-1, .8, .9},  {.9, -1, .8},   {.8, .9, -1},
                                             {-.9, -1, .8}, {-1, .9, -.8}, {.8, -.9, -1}, {-.8, -1, -.9}};
-    double scale = surfmink__ray_scale(o), apex[3], angle, best = 0;
+    double scale = surfmink__ray_scale(o), size, apex[3], angle, best = 0;
     surfmink__fan fan;
     size_t i, k;
     if (!surfmink__alike(o, scale)) scale = 0;
+    size = scale > 0 ? 1 / surfmink__binade(surfmink__max_abs(o->corner, 3) * scale) : 1; /* as far out as corners */
     for (i = 0; i < 16 && best < 0.25; ++i) {
-        for (k = 0; k < 3; ++k) apex[k] = i == 0 ? o->corner[k] * scale : i > 1 ? direction[i - 2][k] : 0;
+        for (k = 0; k < 3; ++k) apex[k] = i == 0 ? o->corner[k] * scale : i > 1 ? direction[i - 2][k] * size : 0;
         if (i == 0 && !(scale > 0)) surfmink__sphere_point(o, 0, apex);
         if (i == 1) surfmink__vector_area(o, scale, apex);
+        for (k = 0; k < 3 && i == 1; ++k) apex[k] *= size;
         if (!(surfmink__max_abs(apex, 3) > 0)) continue;
         fan = surfmink__fan_of(apex);
         angle = surfmink__fan_angle(&fan, o, scale);
@@ -3067,9 +3069,9 @@ SURFMINK__KERNEL void SURFMINK__(edges_sphere)(SURFMINK__(rows) *r, size_t rows,
             im = SURFMINK__FMA(re, part, im);
             re = c[0];
             plain = SURFMINK__LESS(SURFMINK__FMA(SURFMINK__SET(2.0), rise, SURFMINK__SET(1e-200)), bb * around);
-            plain = plain & SURFMINK__LESS(square, SURFMINK__SET(2.9)) &
-                    SURFMINK__LESS(SURFMINK__SET(0.35) * xx * SURFMINK__ROOT(aa * bb),
-                                   SURFMINK__MAX(SURFMINK__ABS(sine), SURFMINK__ABS(cosine)));
+            plain = plain & SURFMINK__LESS(square, SURFMINK__SET(2.9));
+            plain = plain & SURFMINK__LESS(SURFMINK__SET(0.1225) * xx * xx * aa * bb, /* 0.35^2: see surfmink__steep */
+                                           SURFMINK__FMA(sine, sine, cosine * cosine));
             plain = plain & SURFMINK__LESS(SURFMINK__SET(0.5) * norms, below);
             good = good + SURFMINK__WHERE(plain, SURFMINK__SET(1.0));
             SURFMINK__(add_length)(length, &sum, &lost);

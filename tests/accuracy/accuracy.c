@@ -13,7 +13,7 @@
    plane and turns as their differences, areas on the sphere through stereographic projection. Corners are doubles and
    taken as exact; polygons that surfmink refuses are counted, not judged.
 
-   Turns are rounded, and 1 / S multiplies that: so S is judged relative to c, mu and the angles against 1 + c + c^2 / 50,
+   Turns are rounded, and 1 / S multiplies that: so S is judged relative to c, mu and the angles against 1 + c + c^2 / 10,
    with c = (sum |alpha| + |2 pi - S|) / S; S through callbacks, which is the sum of their rounded turns, relative to
    c + sqrt(n) / 50. Areas are judged against how much their triangles cancel. The exit status is 1 if one of the limits
    in `quantity` is exceeded. */
@@ -50,8 +50,8 @@ static const struct {
 } quantity[QUANTITIES] = {
     {"L", "relative", 1e-15},
     {"S", "relative, against c", 2e-15},
-    {"mu", "p <= 12, against 1 + c + c^2 / 50", 1e-14},
-    {"angle", "mu_p |p theta_p - reference|, p <= 12, against 1 + c + c^2 / 50", 1e-14},
+    {"mu", "p <= 12, against 1 + c + c^2 / 10", 1e-14},
+    {"angle", "mu_p |p theta_p - reference|, p <= 12, against 1 + c + c^2 / 10", 1e-14},
     {"area", "against half the sum of |x_i - x_0| l_i", 2e-15},
 };
 
@@ -585,7 +585,7 @@ static int measure(int way, const polygon *o, double *mu, double *theta, surfmin
     size_t offset[2] = {0, o->n}, refused;
     unsigned char left;
     surfmink_results out = {NULL, NULL, &w->length, &w->turning, &w->area, mu, NULL, theta};
-    surfmink__job job = {&outline, offset, &out, NULL, o->surface == SPHERE ? o->radius : 1, MAX_RANK};
+    surfmink__job job = job_of(&outline, offset, MAX_RANK, &out, NULL);
     if (way == CALLBACKS) {
         outline = surfmink_on_surface(&sphere, o->corner, o->n);
         return measure_single(&outline, mu, theta, w);
@@ -602,6 +602,7 @@ static const char *way_name(int way)
 
 static int can_take(int way, enum surface surface)
 {
+    if (way == SCALAR) return 0; /* that is the public call */
     return way == CALLBACKS ? surface == SPHERE : can_run(way);
 }
 
@@ -626,7 +627,7 @@ static void compare(const polygon *o, const measured *m, const double *mu, const
         v->error[ANGLE] =
             worse(v->error[ANGLE], (double)(m->mu[p] * fabsq(remainderq(p * (quad)theta[p] - m->angle[p], 2 * M_PIq))));
     }
-    for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / (1 + c + c * c / 50);
+    for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / (1 + c + c * c / 10);
 }
 
 static void show_results(const measured *m, const double *mu, const double *theta, const surfmink_functionals *w)
