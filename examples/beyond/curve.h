@@ -225,7 +225,7 @@ static inline double surfmink_curve__rise(const surfmink_curve__arcs *c, size_t 
    of it on either side of a mean that is the direction of the chord but for A_i. */
 static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
 {
-    double slope, before = surfmink_curve__slant(c, c->n - 1), here, a, total, lost = 0;
+    double slope, before = surfmink_curve__slant(c, c->n - 1), here, a;
     size_t i;
     for (i = 0; i < c->n; ++i) {
         here = surfmink_curve__slant(c, i);
@@ -242,9 +242,7 @@ static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
         here = surfmink_curve__rise(c, i);
         c->turn[i] -= (before + here) / 2;
         before = here;
-        total = c->rise + (here - lost); /* a compensated sum: areas on a sphere keep their digits */
-        lost = (total - c->rise) - (here - lost);
-        c->rise = total;
+        c->rise += here;
     }
     for (i = 0; i < c->n; ++i) {
         a = c->bend ? c->bend[i] : 0;
