@@ -556,7 +556,7 @@ THEOREM(a_slow_reference_agrees_on_random_tissues)
         CHECK_OK(patic_coarsen(&b.t, p, radius, b.z, b.coarse));
         for (i = 0; i < s.cells; i += 3) {
             real want[2];
-            ref_coarse(&r, p, i, radius, want);
+            ref_coarse(&r, p, i, (real)radius, want);
             CHECK_NEAR(b.coarse[2 * i], (double)want[0], 1e-12);
             CHECK_NEAR(b.coarse[2 * i + 1], (double)want[1], 1e-12);
         }
