@@ -148,7 +148,7 @@ THEOREM(both_sides_of_a_level_have_the_same_curves)
         holes = round % 3 == 2;
         for (k = 0; k < WIDTH * HEIGHT; ++k) {
             number[k] = round % 2 ? between(&c, 0, 1) : (double)one_of(&c, 4); /* often exactly at the level */
-            if (holes && one_in(&c, 30)) number[k] = NAN;
+            if (holes && one_in(&c, 30)) number[k] = (double)NAN;
             turned[k % WIDTH * HEIGHT + HEIGHT - 1 - k / WIDTH] = number[k];
         }
         CASE("image %d", round);
@@ -203,7 +203,7 @@ THEOREM(what_is_open_is_counted_and_what_is_flat_is_none)
     contours(dot, 3, 3, 0.5, GREY_BELOW, &g);
     CHECK_NEAR(area_of(&g), -0.5, 1e-15); /* a hole runs the other way */
     grey_free(&g);
-    dot[0] = NAN;
+    dot[0] = (double)NAN;
     contours(dot, 3, 3, 0.5, GREY_ABOVE, &g);
     CHECK_EQUAL(g.loops, 0);
     CHECK_EQUAL(g.open, 1);
