@@ -36,6 +36,12 @@
 /* The same doubles, bit for bit. */
 #define CHECK_SAME(got, want, count) harness_same((got), (want), (count), #got, __FILE__, __LINE__)
 
+/* An outline for the time of a call: surfmink_measure(IN_PLANE(corner, n), ...). */
+#define IN_PLANE(corner, n)            ((surfmink_outline[1]){surfmink_plane(corner, n)})
+#define ON_SPHERE(corner, n, radius)   ((surfmink_outline[1]){surfmink_sphere(corner, n, radius)})
+#define IN_SPACE(corner, normal, n)    ((surfmink_outline[1]){surfmink_embedded(corner, normal, n)})
+#define ON_SURFACE(surface, corner, n) ((surfmink_outline[1]){surfmink_on_surface(surface, corner, n)})
+
 #define HARNESS_SHOWN 5 /* failures printed for each theorem; the rest are only counted */
 
 static struct {

@@ -34,19 +34,14 @@ static const char *instance_name(int instance)
     return instance_of[instance].name;
 }
 
-static size_t batch(int instance, enum surface surface, const double *corner, const double *normal, double radius,
-                    const size_t *offset, size_t count, int max_rank, const surfmink_results *out, double *scratch)
+/* A view of corners on one of the surfaces. */
+static surfmink_outline view_of(enum surface surface, const double *corner, const double *normal, double radius,
+                                size_t n)
 {
-    enum surfmink__kind kind = surface == PLANE    ? SURFMINK__PLANE
-                               : surface == SPHERE ? SURFMINK__SPHERE
-                                                   : SURFMINK__EMBEDDED;
-    surfmink__job job =
-        surfmink__job_of(kind, corner, normal, surface == SPHERE ? radius : 1, offset, max_rank, out, scratch);
-    if (instance_of[instance].window) return surfmink__batch(&job, count, instance_of[instance].window);
     switch (surface) {
-    case PLANE: return surfmink_batch_plane(corner, offset, count, max_rank, out, scratch);
-    case SPHERE: return surfmink_batch_sphere(corner, offset, count, radius, max_rank, out, scratch);
-    default: return surfmink_batch_embedded(corner, normal, offset, count, max_rank, out, scratch);
+    case PLANE: return surfmink_plane(corner, n);
+    case SPHERE: return surfmink_sphere(corner, n, radius);
+    default: return surfmink_embedded(corner, normal, n);
     }
 }
 
@@ -250,9 +245,10 @@ static void run(const bundle *b, answers *a, int with_scratch)
     double *block[2] = {NULL, NULL}, *corner = exact_copy(b->corner, dim_of(b) * corners, block);
     double *normal = b->surface == EMBEDDED ? exact_copy(b->normal, 3 * corners, block + 1) : NULL;
     unsigned char *scratch = with_scratch ? (unsigned char *)room_for(size + 2 * (size_t)GUARD) : NULL;
+    surfmink_outline all = view_of(b->surface, corner, normal, b->radius, corners);
     if (scratch) memset(scratch, PATTERN, size + 2 * (size_t)GUARD);
-    a->refused = batch(on_trial, b->surface, corner, normal, b->radius, b->offset, b->count, b->max_rank, &a->out,
-                       scratch ? (double *)(void *)(scratch + GUARD) : NULL);
+    a->refused = batch_by(on_trial, &all, b->offset, b->count, b->max_rank, &a->out,
+                          scratch ? (double *)(void *)(scratch + GUARD) : NULL);
     if (scratch) {
         CHECK(is_pattern(scratch, GUARD + before * sizeof(double)));
         CHECK(is_pattern(scratch + GUARD + size, GUARD));
@@ -282,15 +278,8 @@ typedef struct single {
 
 static void measure_one(const bundle *b, size_t i, single *s)
 {
-    const double *corner = corner_of(b, i), *normal = normal_of(b, i);
-    size_t n = corners_of(b, i);
-    switch (b->surface) {
-    case PLANE: s->status = surfmink_measure_plane(corner, n, b->max_rank, s->mu, s->g, &s->w, &s->bad); break;
-    case SPHERE:
-        s->status = surfmink_measure_sphere(corner, n, b->radius, b->max_rank, s->mu, s->g, &s->w, &s->bad);
-        break;
-    default: s->status = surfmink_measure_embedded(corner, normal, n, b->max_rank, s->mu, s->g, &s->w, &s->bad);
-    }
+    surfmink_outline o = view_of(b->surface, corner_of(b, i), normal_of(b, i), b->radius, corners_of(b, i));
+    s->status = surfmink_measure(&o, b->max_rank, s->mu, s->g, &s->w, &s->bad);
     if (s->status != SURFMINK_OK) return;
     s->c = s->w.condition;
     CHECK_OK(surfmink_spectrum(s->g, b->max_rank, NULL, NULL, s->theta));
@@ -298,11 +287,11 @@ static void measure_one(const bundle *b, size_t i, single *s)
 
 /* What two measurements of one outline may differ in, by what each of them may be wrong.
    L      relative: 1e-15 each
-   S      relative: 1e-15 each, times c, the condition number; in the plane not at all
+   S      relative: 2e-15 each, times c, the condition number; in the plane not at all
    area   2e-15 each of half the sum of |x_i - x_0| l_i; on the sphere large ones are 2 pi - S, and as good as S
    mu, g, theta  mu_p, g_p / L, mu_p p theta_p at rank 12: 1e-14 (1 + c) each; at other ranks in proportion to p + 2,
           for not all is the phases' fault */
-static const double LIMIT[OUTPUTS] = {0, 0, 2e-15, 2e-15, 4e-15, 2e-14, 2e-14, 2e-14};
+static const double LIMIT[OUTPUTS] = {0, 0, 2e-15, 4e-15, 4e-15, 2e-14, 2e-14, 2e-14};
 static double worst[OUTPUTS]; /* differences found, in units of what is allowed */
 
 static void differ(int what, double off, double allowed)
@@ -630,7 +619,11 @@ static void place_in_space(bundle *b, chance *c, size_t n)
     size_t i, k, which = add_outline(b, n);
     double *xyz = corner_of(b, which), *normal = normal_of(b, which);
     chance twin;
-    lay_out(c, n, size, xyz, normal);
+    if (one_in(c, 40)) { /* a great circle */
+        wrap(n, 1, 1, xyz);
+        memcpy(normal, xyz, 3 * n * sizeof *xyz);
+    } else
+        lay_out(c, n, size, xyz, normal);
     twin = *c;
     turn_somehow(c, xyz, n);
     turn_somehow(&twin, normal, n);
@@ -719,7 +712,7 @@ static void mixed_bundle(bundle *b, enum surface surface, size_t count, uint64_t
 static void random_batches(enum surface surface, size_t outlines)
 {
     static const int ranks[] = {0, 1, 6, 12, 12, 12, 12, 12, 12, 13, 15, 16, 17, 31, 32, 33, MAX_RANK};
-    size_t seen[SURFMINK_BAD_ARGUMENT + 1] = {0}, done, trial = 0;
+    size_t seen[SURFMINK_OPPOSITE_NORMALS + 1] = {0}, done, trial = 0;
     chance c;
     c.state = 200 + (uint64_t)surface;
     memset(worst, 0, sizeof worst);
@@ -739,9 +732,10 @@ static void random_batches(enum surface surface, size_t outlines)
     CHECK(seen[SURFMINK_COINCIDENT_CORNERS] > 100 / FEWER);
     if (surface != PLANE)
         CHECK(seen[SURFMINK_ZERO_NORMAL] > 100 / FEWER && seen[SURFMINK_TOO_MUCH_CURVATURE] > 100 / FEWER);
-    if (surface != EMBEDDED) CHECK(seen[SURFMINK_CROSSES_ITSELF] > 100 / FEWER);
+    CHECK(seen[SURFMINK_CROSSES_ITSELF] > 100 / FEWER);
     if (surface == SPHERE) CHECK(seen[SURFMINK_ANTIPODAL_CORNERS] > 100 / FEWER);
-    if (surface == EMBEDDED) CHECK(seen[SURFMINK_UPRIGHT_EDGE] > 100 / FEWER);
+    if (surface == EMBEDDED)
+        CHECK(seen[SURFMINK_UPRIGHT_EDGE] > 100 / FEWER && seen[SURFMINK_OPPOSITE_NORMALS] > 100 / FEWER);
 }
 
 THEOREM(in_the_plane_a_batch_says_what_single_calls_say)
@@ -793,7 +787,7 @@ THEOREM(every_number_of_corners_is_measured_alike)
     memset(worst, 0, sizeof worst);
     for (surface = 0; surface < SURFACES; ++surface) {
         bundle b;
-        size_t seen[SURFMINK_BAD_ARGUMENT + 1] = {0};
+        size_t seen[SURFMINK_OPPOSITE_NORMALS + 1] = {0};
         every_length(&b, (enum surface)surface);
         for (scratch = 0; scratch < 2; ++scratch) {
             CASE("%s, %s scratch", surface_name[surface], scratch ? "with" : "without");
@@ -1134,7 +1128,7 @@ THEOREM(outlines_without_corners_need_no_place_for_them)
     surfmink_results out = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL};
     out.status = status;
     out.bad = bad;
-    CHECK_EQUAL(surfmink_batch_embedded(NULL, NULL, offset, 2, 6, &out, NULL), 2);
+    CHECK_EQUAL(surfmink_batch(IN_SPACE(NULL, NULL, 0), offset, 2, 6, &out, NULL), 2);
     CHECK_STATUS(status[0], SURFMINK_TOO_FEW_CORNERS);
     CHECK_STATUS(status[1], SURFMINK_TOO_FEW_CORNERS);
     CHECK(bad[0] == 0 && bad[1] == 0);
@@ -1345,7 +1339,8 @@ THEOREM(contours_of_a_random_field_come_out_of_a_batch)
 
 /* --- what a measure of shapes has to do --------------------------------------------------------------------------- */
 
-/* Of ordinary magnitudes, so that units of 2^-100 to 2^100 leave them ordinary. */
+/* Of ordinary magnitudes, so that units of 2^-90 to 2^90 leave them ordinary: kernels take normals whose squares lie in
+   [1e-60, 1e60]. */
 static void ordinary_bundle(bundle *b, enum surface surface)
 {
     chance c = {251};
@@ -1385,7 +1380,7 @@ static void check_scaled(const bundle *b, const answers *before, double by)
 
 THEOREM(powers_of_two_scale_exactly)
 {
-    static const int powers[] = {-100, -63, -1, 1, 52, 100};
+    static const int powers[] = {-90, -63, -1, 1, 52, 90};
     int surface;
     for (surface = 0; surface < SURFACES; ++surface) {
         size_t k, i;
@@ -1530,19 +1525,16 @@ THEOREM(the_sphere_is_an_embedded_surface_up_to_lengths)
 /* The corner-by-corner path would make up for kernels that decline: slower, but right. */
 static void check_kernels_take(const bundle *b, size_t first)
 {
-    surfmink__measure_window *window = instance_of[on_trial].window ? instance_of[on_trial].window : surfmink__choose();
-    enum surfmink__kind kind = b->surface == PLANE    ? SURFMINK__PLANE
-                               : b->surface == SPHERE ? SURFMINK__SPHERE
-                                                      : SURFMINK__EMBEDDED;
+    surfmink__measure_window *window = on_trial == PUBLIC ? surfmink__choose() : instance_of[on_trial].window;
+    surfmink_outline all = view_of(b->surface, b->corner, b->normal, b->radius, b->offset[b->count]);
     unsigned char left[64];
     size_t at, i;
     answers a;
+    if (!window) return; /* outline by outline there is nothing to leave */
     answers_open(&a, b->count, b->max_rank, EVERYTHING);
     for (at = first; at < b->count; at += 64) {
         size_t count = b->count - at < 64 ? b->count - at : 64;
-        surfmink__job job =
-            surfmink__job_of(kind, b->corner, b->normal, b->radius, b->offset, b->max_rank, &a.out, NULL);
-        job.end = b->offset[b->count];
+        surfmink__job job = job_of(&all, b->offset, b->max_rank, &a.out, NULL);
         window(&job, at, count, left);
         for (i = 0; i < count; ++i) {
             CASE("%s, outline %d of %d corners", surface_name[b->surface], (int)(at + i), (int)corners_of(b, at + i));
@@ -1657,13 +1649,13 @@ THEOREM(a_processor_gets_the_widest_instance_that_it_can_run)
     CHECK(surfmink__instance(1, 0) == surfmink__window_avx512);
     CHECK(surfmink__instance(0, 1) == surfmink__window_avx2);
     CHECK(surfmink__instance(0, 0) == surfmink__window_sse2);
-    CHECK(surfmink__choose() == surfmink__instance(can_run(4), can_run(3))); /* in instance_of */
+    CHECK(surfmink__choose() == surfmink__instance(can_run(KERNELS + 2), can_run(KERNELS + 1))); /* in instance_of */
 }
 
 /* Both have fused multiply-add and eight lanes; what stands in one register or in two is no matter. */
 THEOREM(avx2_and_avx512_agree_to_the_bit)
 {
-    static const int avx2 = 3, avx512 = 4; /* in instance_of */
+    static const int avx2 = KERNELS + 1, avx512 = KERNELS + 2; /* in instance_of */
     int surface;
     if (!can_run(avx2) || !can_run(avx512)) return;
     for (surface = 0; surface < SURFACES; ++surface) {

@@ -52,7 +52,7 @@ static void judge(const exact *e, size_t n, const double *length, const double *
     double g[2 * (P + 1)], mu[P + 1];
     surfmink_functionals w;
     int p;
-    CHECK_OK(surfmink_total(length, turning, n, &w));
+    CHECK_OK(surfmink_total(NULL, length, turning, n, &w));
     CHECK_OK(surfmink_irreducible(length, phase, n, P, g));
     CHECK_OK(surfmink_spectrum(g, P, NULL, mu, NULL));
     off->length = fabs(w.length - e->length);
@@ -77,9 +77,9 @@ static void measure(const exact *e, const flower_ruler *ruler, enum scheme schem
     size_t i;
     for (i = 0; i < n; ++i) flower_at(ruler, position(kind, i, n) + shift, corner + 3 * i, normal + 3 * i);
     if (scheme == GREAT_CIRCLES)
-        CHECK_OK(surfmink_edges_sphere(corner, n, 1.0, length, turning, NULL));
+        CHECK_OK(surfmink_edges(ON_SPHERE(corner, n, 1.0), length, turning, NULL));
     else
-        CHECK_OK(surfmink_edges_embedded(corner, normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(corner, normal, n), length, turning, NULL));
     CHECK_OK(surfmink_phases(turning, n, SURFMINK_CORRECTED, phase));
     if (recipe == SECTION_4) { /* the turn at corner 0 counts, the one at corner i does not yet */
         double total = 0;
@@ -164,7 +164,7 @@ THEOREM(lengths_grow_towards_the_length_of_the_curve)
         size_t i;
         for (i = 0; i < n; ++i) flower_at(&ruler, (double)i / (double)n, corner + 3 * i, normal + 3 * i);
         CASE("%d corners", (int)n);
-        CHECK_OK(surfmink_measure_embedded(corner, normal, n, 0, NULL, NULL, &w, NULL));
+        CHECK_OK(surfmink_measure(IN_SPACE(corner, normal, n), 0, NULL, NULL, &w, NULL));
         CHECK(w.length > before && w.length < e.length);
         before = w.length;
     }

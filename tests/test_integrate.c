@@ -126,8 +126,8 @@ THEOREM(in_the_plane_components_are_those_of_the_edge_normals)
             }
         }
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_measure_plane(xy, n, 12, mu, g, NULL, NULL));
-        CHECK_OK(surfmink_frame_plane(xy, n, 0, first));
+        CHECK_OK(surfmink_measure(IN_PLANE(xy, n), 12, mu, g, NULL, NULL));
+        CHECK_OK(surfmink_frame(IN_PLANE(xy, n), 0, first));
         for (p = 0; p <= 12; ++p) {
             double t = turned_re;
             CHECK_NEAR(mu[p], hypot(re[p], im[p]) / total, 2e-14);
@@ -150,8 +150,8 @@ THEOREM(in_the_plane_the_full_tensor_is_the_sum_of_the_products_of_edge_normals)
         size_t n = 3 + one_of(&c, 20), i;
         random_star(&c, n, xy);
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_measure_plane(xy, n, 12, NULL, g, NULL, NULL));
-        CHECK_OK(surfmink_frame_plane(xy, n, 0, frame));
+        CHECK_OK(surfmink_measure(IN_PLANE(xy, n), 12, NULL, g, NULL, NULL));
+        CHECK_OK(surfmink_frame(IN_PLANE(xy, n), 0, frame));
         for (p = 0; p <= 12; ++p) {
             CHECK_OK(surfmink_tensor(g, p, tensor));
             for (j = 0; j <= p; ++j) { /* p - j indices along nu of edge 0, j along its tau */
@@ -279,7 +279,7 @@ THEOREM(with_the_classical_transport_the_octant_is_a_square_and_depends_on_the_p
     static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
     double length[3], turning[3], g[14], mu[7], u;
     size_t edge;
-    CHECK_OK(surfmink_edges_sphere(corner, 3, 1.0, length, turning, NULL));
+    CHECK_OK(surfmink_edges(ON_SPHERE(corner, 3, 1.0), length, turning, NULL));
     for (edge = 0; edge < 3; ++edge)
         for (u = 0; u < 1; u += 1.0 / 64) {
             CASE("edge %d at %g", (int)edge, u);
@@ -366,8 +366,8 @@ THEOREM(in_the_plane_both_transports_agree_at_every_point)
         random_star(&c, n, xy);
         start_at(edge, xy, n, 2, moved);
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_edges_plane(xy, n, length, turning, NULL));
-        CHECK_OK(surfmink_measure_plane(moved, n, 12, NULL, g, NULL, NULL));
+        CHECK_OK(surfmink_edges(IN_PLANE(xy, n), length, turning, NULL));
+        CHECK_OK(surfmink_measure(IN_PLANE(moved, n), 12, NULL, g, NULL, NULL));
         CHECK_OK(surfmink_irreducible_parallel(length, turning, n, edge, between(&c, 0, 1), 12, parallel));
         for (p = 0; p <= 25; ++p) CHECK_NEAR(parallel[p], g[p], 3e-14 * g[0]);
     }

@@ -147,8 +147,8 @@ static void functionals(const mesh_loops *loops, size_t k, double *length, doubl
     double *l = (double *)malloc(2 * n * sizeof(double));
     if (!l) exit(1);
     *length = *turning = 0;
-    CHECK_OK(surfmink_edges_embedded(loops->corner + 3 * loops->start[k], loops->normal + 3 * loops->start[k], n, l,
-                                     l + n, NULL));
+    CHECK_OK(surfmink_edges(IN_SPACE(loops->corner + 3 * loops->start[k], loops->normal + 3 * loops->start[k], n), l,
+                            l + n, NULL));
     for (i = 0; i < n; ++i) *length += l[i], *turning += l[n + i];
     free(l);
 }
@@ -156,7 +156,7 @@ static void functionals(const mesh_loops *loops, size_t k, double *length, doubl
 static int measure(const mesh_loops *loops, size_t k, int max_rank, double *mu, double *g, surfmink_functionals *w)
 {
     const double *corner = loops->corner + 3 * loops->start[k], *normal = loops->normal + 3 * loops->start[k];
-    return surfmink_measure_embedded(corner, normal, corners_of(loops, k), max_rank, mu, g, w, NULL);
+    return surfmink_measure(IN_SPACE(corner, normal, corners_of(loops, k)), max_rank, mu, g, w, NULL);
 }
 
 static double apart(const double *x, const double *y)
@@ -1065,11 +1065,11 @@ THEOREM(contours_of_a_random_field_are_those_found_elsewhere)
         }
         if (id == 7) { /* nothing is defined for a hole as it runs, so turn it round */
             ++clockwise;
-            CHECK_STATUS(surfmink_measure_embedded(ours[0][0], ours[1][0], n, 6, mu, g, &w, NULL), SURFMINK_CLOCKWISE);
+            CHECK_STATUS(surfmink_measure(IN_SPACE(ours[0][0], ours[1][0], n), 6, mu, g, &w, NULL), SURFMINK_CLOCKWISE);
             surfmink_reverse(ours[0][0], n, 3);
             surfmink_reverse(ours[1][0], n, 3);
         }
-        CHECK_OK(surfmink_measure_embedded(ours[0][0], ours[1][0], n, 6, mu, g, &w, NULL));
+        CHECK_OK(surfmink_measure(IN_SPACE(ours[0][0], ours[1][0], n), 6, mu, g, &w, NULL));
         CHECK_CLOSE(w.length, table_number(&t, "L"), 1e-14);
         CHECK_NEAR(id == 7 ? -w.turning : w.turning, table_number(&t, "sum_alpha"), 1e-13);
         for (p = 2; p <= 6; ++p) {

@@ -72,13 +72,12 @@ static void place(polygon *q, enum partition kind, size_t n)
 
 static void join(polygon *q, enum edges edges)
 {
-    static double scratch[2 * FINEST];
     surfmink_implicit body = surfmink_ellipsoid(exact_flower()->curve.axis);
     surfmink_surface surface = surfmink_implicit_surface(&body);
     if (edges == CHORDS)
-        CHECK_OK(surfmink_edges_embedded(q->corner, q->normal, q->n, q->length, q->turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(q->corner, q->normal, q->n), q->length, q->turning, NULL));
     else
-        CHECK_OK(surfmink_edges_surface(&surface, q->corner, q->n, scratch, q->length, q->turning, NULL));
+        CHECK_OK(surfmink_edges(ON_SURFACE(&surface, q->corner, q->n), q->length, q->turning, NULL));
 }
 
 typedef struct errors {
@@ -95,7 +94,7 @@ static void judge(const polygon *q, enum index index, errors *off)
     size_t i;
     int p;
     for (i = 0; i < q->n; ++i) turn[i] = q->turning[index == SECTION_3 ? i : i > 0 ? i - 1 : q->n - 1];
-    CHECK_OK(surfmink_total(q->length, turn, q->n, &w));
+    CHECK_OK(surfmink_total(NULL, q->length, turn, q->n, &w));
     CHECK_OK(surfmink_phases(turn, q->n, SURFMINK_CORRECTED, phase));
     CHECK_OK(surfmink_irreducible(q->length, phase, q->n, P, g));
     CHECK_OK(surfmink_spectrum(g, P, NULL, mu, NULL));
@@ -402,9 +401,9 @@ THEOREM(on_level_sets_the_index_of_section_4_costs_an_order)
         turning = length + n;
         phase = turning + n;
         right[level / 8] = late[level / 8] = 0;
-        CHECK_OK(surfmink_measure_embedded(loops.corner, loops.normal, n, 6, mu, NULL, NULL, NULL));
+        CHECK_OK(surfmink_measure(IN_SPACE(loops.corner, loops.normal, n), 6, mu, NULL, NULL, NULL));
         for (p = 2; p <= 6; p += 2) right[level / 8] = fmax(right[level / 8], fabs(mu[p] - limit[p]));
-        CHECK_OK(surfmink_edges_embedded(loops.corner, loops.normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(loops.corner, loops.normal, n), length, turning, NULL));
         surfmink_reverse(turning, n, 1); /* twice, and once without the first: every turn moves one corner on */
         surfmink_reverse(turning + 1, n - 1, 1);
         CHECK_OK(surfmink_phases(turning, n, SURFMINK_CORRECTED, phase));

@@ -347,8 +347,7 @@ THEOREM(log_from_the_other_end_is_the_same_geodesic)
 
 THEOREM(small_shapes_keep_all_their_digits)
 {
-    double axis[3] = {1.6, 1.3, 1.0}, corner[3 * 5], normal[3 * 5], scratch[10], length[5], turning[5], flat[5],
-           turn[5], size;
+    double axis[3] = {1.6, 1.3, 1.0}, corner[3 * 5], normal[3 * 5], length[5], turning[5], flat[5], turn[5], size;
     surfmink_implicit body = surfmink_ellipsoid(axis);
     surfmink_surface surface = surfmink_implicit_surface(&body);
     size_t i;
@@ -361,8 +360,8 @@ THEOREM(small_shapes_keep_all_their_digits)
         }
         /* At this size chords in the tangent planes are geodesics, to all digits. The corners carry rounding of
            1e-16 / size along the normals, which neither way of measuring may see. */
-        CHECK_OK(surfmink_edges_surface(&surface, corner, 5, scratch, length, turning, NULL));
-        CHECK_OK(surfmink_edges_embedded(corner, normal, 5, flat, turn, NULL));
+        CHECK_OK(surfmink_edges(ON_SURFACE(&surface, corner, 5), length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(corner, normal, 5), flat, turn, NULL));
         for (i = 0; i < 5; ++i) {
             CHECK_CLOSE(length[i], flat[i], 4e-16 + 1e-16 * pow(1e-16 / size, 2) / 1e-16);
             CHECK_NEAR(turning[i], turn[i], 3e-15);
@@ -476,8 +475,7 @@ THEOREM(geodesic_polygons_on_ellipsoid_and_torus_agree_with_50_digit_references)
 {
     static const char *const xyz[3] = {"x", "y", "z"}, *const measured[2] = {"l", "alpha"};
     static const char *const tangents[7] = {"t0x", "t0y", "t0z", "t1x", "t1y", "t1z", "l"};
-    double shape[3], corner[3 * 8], want[2 * 8], edge[7 * 8], scratch[16], length[8], turning[8], mu[13], theta[13],
-        g[26];
+    double shape[3], corner[3 * 8], want[2 * 8], edge[7 * 8], length[8], turning[8], mu[13], theta[13], g[26];
     surfmink_functionals w;
     table t;
     int cases = 0;
@@ -501,7 +499,7 @@ THEOREM(geodesic_polygons_on_ellipsoid_and_torus_agree_with_50_digit_references)
         CHECK_EQUAL(table_points("tests/data/geodesic_surface_points.tsv", which, xyz, 3, 8, corner), n);
         CHECK_EQUAL(table_points("tests/data/geodesic_surface_points.tsv", which, measured, 2, 8, want), n);
         CHECK_EQUAL(table_points("tests/data/geodesic_surface_edges.tsv", which, tangents, 7, 8, edge), n);
-        CHECK_OK(surfmink_edges_surface(&surface, corner, n, scratch, length, turning, NULL));
+        CHECK_OK(surfmink_edges(ON_SURFACE(&surface, corner, n), length, turning, NULL));
         for (i = 0; i < n; ++i) {
             double l, direction[2], vector[3];
             const double *x = corner + 3 * i, *y = corner + 3 * ((i + 1) % n);
@@ -514,7 +512,7 @@ THEOREM(geodesic_polygons_on_ellipsoid_and_torus_agree_with_50_digit_references)
             in_space(&body, y, direction, vector);
             for (k = 0; k < 3; ++k) CHECK_NEAR(-vector[k], edge[7 * i + 3 + (size_t)k], 1e-15);
         }
-        CHECK_OK(surfmink_measure_surface(&surface, corner, n, scratch, 12, mu, g, &w, NULL));
+        CHECK_OK(surfmink_measure(ON_SURFACE(&surface, corner, n), 12, mu, g, &w, NULL));
         CHECK_OK(surfmink_spectrum(g, 12, NULL, NULL, theta));
         CHECK_CLOSE(w.length, table_number(&t, "L"), 1e-14);
         CHECK_NEAR(w.turning, table_number(&t, "sum_alpha"), 1e-14);
@@ -532,7 +530,7 @@ THEOREM(geodesic_polygons_on_ellipsoid_and_torus_agree_with_50_digit_references)
    differ by up to 1e-12, so that much of the last digit is theirs. */
 THEOREM(the_torus_triangles_of_the_paper_have_the_printed_lengths_angles_and_mu)
 {
-    double radius[2] = {2, 1.375}, scratch[6], length[3], turning[3], phase[3], g[14], mu[7];
+    double radius[2] = {2, 1.375}, length[3], turning[3], phase[3], g[14], mu[7];
     double near_length = 0, near_direction[2] = {0, 0};
     surfmink_surface unrolled = surfmink_torus_chart(radius);
     surfmink_implicit torus = surfmink_torus(radius);
@@ -547,7 +545,7 @@ THEOREM(the_torus_triangles_of_the_paper_have_the_printed_lengths_angles_and_mu)
         corner[4] = 3.1, corner[5] = PI;
         CASE("theta_2 = %s pi", table_text(&t, "theta2_over_pi"));
         if (rows % STRIDE == 0) {
-            CHECK_OK(surfmink_edges_surface(&unrolled, corner, 3, scratch, length, turning, NULL));
+            CHECK_OK(surfmink_edges(ON_SURFACE(&unrolled, corner, 3), length, turning, NULL));
             CHECK_OK(surfmink_phases(turning, 3, SURFMINK_CORRECTED, phase));
             CHECK_OK(surfmink_irreducible(length, phase, 3, 6, g));
             CHECK_OK(surfmink_spectrum(g, 6, NULL, mu, NULL));
@@ -635,7 +633,7 @@ THEOREM(gauss_bonnet_two_pi_minus_the_turning_of_a_triangle_is_the_integral_of_i
     chance c = {20};
     int trial;
     for (trial = 0; trial < 12; ++trial) {
-        double shape[3], corner[9], normal[9], scratch[6], length[3], turning[3];
+        double shape[3], corner[9], normal[9], length[3], turning[3];
         surfmink_functionals w;
         chart m;
         double u = between(&c, 0.9, 2), v = between(&c, -2, 2);
@@ -645,15 +643,15 @@ THEOREM(gauss_bonnet_two_pi_minus_the_turning_of_a_triangle_is_the_integral_of_i
         m.a = shape[0], m.b = shape[1], m.c = m.kind == TORUS ? 0 : shape[2];
         star_on_chart(&c, &m, u, v, 0.6, 3, corner, normal);
         CASE("trial %d: %s %g %g %g", trial, m.kind == TORUS ? "torus" : "ellipsoid", m.a, m.b, m.c);
-        CHECK_OK(surfmink_edges_surface(&surface, corner, 3, scratch, length, turning, NULL));
-        CHECK_OK(surfmink_total(length, turning, 3, &w));
+        CHECK_OK(surfmink_edges(ON_SURFACE(&surface, corner, 3), length, turning, NULL));
+        CHECK_OK(surfmink_total(NULL, length, turning, 3, &w));
         CHECK_NEAR(w.curvature, integral_of_curvature(&body, &m, corner, 3, u), 1e-12);
     }
 }
 
 THEOREM(on_a_round_ellipsoid_a_regular_polygon_has_mu_one_exactly_at_multiples_of_its_corner_count)
 {
-    double axis[3] = {2, 2, 2}, centre[3], corner[3 * 8], scratch[16], mu[13];
+    double axis[3] = {2, 2, 2}, centre[3], corner[3 * 8], mu[13];
     surfmink_implicit body = surfmink_ellipsoid(axis);
     surfmink_surface surface = surfmink_implicit_surface(&body);
     size_t q;
@@ -661,7 +659,7 @@ THEOREM(on_a_round_ellipsoid_a_regular_polygon_has_mu_one_exactly_at_multiples_o
     surfmink_ellipsoid_point(axis, 1.2, 0.5, centre);
     for (q = 3; q <= 8; ++q) {
         CHECK_OK(surfmink_regular_polygon(&surface, centre, 1.4, 0.3, q, corner));
-        CHECK_OK(surfmink_measure_surface(&surface, corner, q, scratch, 12, mu, NULL, NULL, NULL));
+        CHECK_OK(surfmink_measure(ON_SURFACE(&surface, corner, q), 12, mu, NULL, NULL, NULL));
         CASE("%d corners", (int)q);
         for (p = 0; p <= 12; ++p) CHECK_NEAR(mu[p], p % (int)q ? 0 : 1, 1e-14);
     }
@@ -886,8 +884,7 @@ THEOREM(other_failures_have_names_too_and_change_nothing)
 {
     double axis[3] = {1.6, 1.3, 1.0}, radius[2] = {2, 1}, x[3], y[3], direction[2] = {1, 0}, length = 1,
            point[3] = {7, 8, 9};
-    double nowhere[3] = {0, 0, 0}, lost[3], above[3], scratch[6], corner[9], mu[4] = {5, 5, 5, 5},
-           angles[2] = {0.1, 0.2};
+    double nowhere[3] = {0, 0, 0}, lost[3], above[3], corner[9], mu[4] = {5, 5, 5, 5}, angles[2] = {0.1, 0.2};
     surfmink_implicit body = surfmink_ellipsoid(axis), ring = surfmink_torus(radius), lie;
     surfmink_surface surface = surfmink_implicit_surface(&body), unrolled = surfmink_torus_chart(radius);
     size_t bad = 77;
@@ -928,7 +925,7 @@ THEOREM(other_failures_have_names_too_and_change_nothing)
     CHECK_STATUS(unrolled.log(unrolled.context, angles, angles, &length, direction), SURFMINK_COINCIDENT_CORNERS);
     /* Through the header the name comes back with the corner to blame. */
     for (k = 0; k < 3; ++k) corner[k] = x[k], corner[3 + k] = y[k], corner[6 + k] = -y[k];
-    CHECK_STATUS(surfmink_measure_surface(&surface, corner, 3, scratch, 3, mu, NULL, NULL, &bad),
+    CHECK_STATUS(surfmink_measure(ON_SURFACE(&surface, corner, 3), 3, mu, NULL, NULL, &bad),
                  SURFMINK_ANTIPODAL_CORNERS);
     CHECK(bad == 1 || bad == 2);
     CHECK(mu[0] == 5 && mu[3] == 5);
@@ -972,19 +969,19 @@ THEOREM(hyperbolic_triangles_obey_the_law_of_cosines_and_turn_by_two_pi_plus_the
     int trial, i;
     for (trial = 0; trial < 300; ++trial) {
         surfmink_surface plane = surfmink_hyperbolic();
-        double corner[6], scratch[6], l[3], turning[3], area = 0;
+        double corner[6], l[3], turning[3], area = 0;
         surfmink_functionals w;
         for (i = 0; i < 3; ++i) random_hyperbolic(&c, corner + 2 * i);
         CHECK_OK(surfmink_hyperbolic_area(corner, 3, &area));
         if (fabs(area) < 1e-3) continue; /* the law of cosines has no digits for a needle */
         if (area < 0) surfmink_reverse(corner, 3, 2);
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_edges_surface(&plane, corner, 3, scratch, l, turning, NULL));
+        CHECK_OK(surfmink_edges(ON_SURFACE(&plane, corner, 3), l, turning, NULL));
         for (i = 0; i < 3; ++i) { /* at corner i, between edges i-1 and i */
             double a = l[(i + 2) % 3], b = l[i], far = l[(i + 1) % 3];
             CHECK_NEAR(cos(PI - turning[i]), (cosh(a) * cosh(b) - cosh(far)) / (sinh(a) * sinh(b)), 1e-8);
         }
-        CHECK_OK(surfmink_total(l, turning, 3, &w));
+        CHECK_OK(surfmink_total(NULL, l, turning, 3, &w));
         CHECK_NEAR(w.turning, 2 * PI + fabs(area), 1e-11); /* sides of up to 12 */
     }
 }
@@ -1020,15 +1017,15 @@ THEOREM(in_the_hyperbolic_plane_a_regular_polygon_has_mu_one_exactly_at_multiple
     int size, p;
     for (q = 3; q <= 9; ++q)
         for (size = 0; size < 4; ++size) {
-            double centre[2], corner[18], scratch[18], length[9], turning[9], mu[19], area = 0, inside;
+            double centre[2], corner[18], length[9], turning[9], mu[19], area = 0, inside;
             double r = reach[size], inherent;
             surfmink_functionals w;
             centre[0] = between(&c, -0.5, 0.5);
             centre[1] = between(&c, -0.5, 0.5);
             CASE("%d corners at %g", (int)q, r);
             CHECK_OK(surfmink_regular_polygon(&plane, centre, r, 0.4, q, corner));
-            CHECK_OK(surfmink_edges_surface(&plane, corner, q, scratch, length, turning, NULL));
-            CHECK_OK(surfmink_measure_surface(&plane, corner, q, scratch, 18, mu, NULL, &w, NULL));
+            CHECK_OK(surfmink_edges(ON_SURFACE(&plane, corner, q), length, turning, NULL));
+            CHECK_OK(surfmink_measure(ON_SURFACE(&plane, corner, q), 18, mu, NULL, &w, NULL));
             /* Rounding a corner to 1e-16 moves it by that, over 1 - |z|^2 near the rim, against a size of r. */
             inherent = size == 0 ? 1e-8 : size == 3 ? 1e-12 : 2e-14;
             for (p = 0; p <= 18; ++p) CHECK_NEAR(mu[p], p % (int)q ? 0 : 1, inherent);
@@ -1050,7 +1047,7 @@ THEOREM(mu_and_area_do_not_depend_on_where_in_the_hyperbolic_plane_a_polygon_lie
     chance c = {26};
     int trial, p;
     for (trial = 0; trial < 50; ++trial) {
-        double here[10], there[10], scratch[10], mu[2][7], area[2] = {0, 0}, a[2], length = 0, direction[2] = {1, 0};
+        double here[10], there[10], mu[2][7], area[2] = {0, 0}, a[2], length = 0, direction[2] = {1, 0};
         double spin = between(&c, -PI, PI);
         size_t i;
         gentle_star(&c, 5, here);
@@ -1065,8 +1062,8 @@ THEOREM(mu_and_area_do_not_depend_on_where_in_the_hyperbolic_plane_a_polygon_lie
             CHECK_OK(surfmink_hyperbolic_exp(NULL, a, turned, length, there + 2 * i));
         }
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_measure_surface(&plane, here, 5, scratch, 6, mu[0], NULL, NULL, NULL));
-        CHECK_OK(surfmink_measure_surface(&plane, there, 5, scratch, 6, mu[1], NULL, NULL, NULL));
+        CHECK_OK(surfmink_measure(ON_SURFACE(&plane, here, 5), 6, mu[0], NULL, NULL, NULL));
+        CHECK_OK(surfmink_measure(ON_SURFACE(&plane, there, 5), 6, mu[1], NULL, NULL, NULL));
         CHECK_OK(surfmink_hyperbolic_area(here, 5, &area[0]));
         CHECK_OK(surfmink_hyperbolic_area(there, 5, &area[1]));
         for (p = 1; p <= 6; ++p) CHECK_NEAR(mu[1][p], mu[0][p], 1e-12);

@@ -15,7 +15,7 @@ static size_t cell(chance *c, int trial, double *xyz, double *length, double *tu
     gentle_star(c, n, xy);
     onto_sphere(xy, n, between(c, 0.05, 2), xyz);
     turn_somehow(c, xyz, n);
-    CHECK_OK(surfmink_edges_sphere(xyz, n, 1.0, length, turning, NULL));
+    CHECK_OK(surfmink_edges(ON_SPHERE(xyz, n, 1.0), length, turning, NULL));
     return n;
 }
 
@@ -81,7 +81,7 @@ THEOREM(where_nothing_is_enclosed_there_is_no_defect)
         size_t n = 3 + one_of(&c, MOST - 2), i;
         random_star(&c, n, xy);
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_edges_plane(xy, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_PLANE(xy, n), length, turning, NULL));
         CHECK_OK(surfmink_phases(turning, n, SURFMINK_CORRECTED, f));
         CHECK_OK(surfmink_phases(turning, n, SURFMINK_PARALLEL, phi));
         CHECK_OK(surfmink_phases(turning, n, SURFMINK_DEFECT, eta));
@@ -137,7 +137,7 @@ THEOREM(after_one_round_the_corrected_transport_closes_and_the_parallel_one_is_o
         size_t n = cell(&c, trial, xyz, length, turning), from = one_of(&c, n);
         double angle = between(&c, -PI, PI);
         ptrdiff_t round = (ptrdiff_t)n;
-        CHECK_OK(surfmink_area_sphere(xyz, n, 1.0, &area)); /* on the unit sphere the area is the curvature */
+        CHECK_OK(surfmink_area(ON_SPHERE(xyz, n, 1.0), &area)); /* on the unit sphere the area is the curvature */
         CHECK_OK(surfmink_transport_angle(turning, n, from, round, SURFMINK_CORRECTED, angle, &carried));
         CHECK_NEAR(carried, angle - 2 * PI, 2e-15);
         CHECK_OK(surfmink_transport_angle(turning, n, from, 3 * round, SURFMINK_CORRECTED, angle, &carried));
@@ -194,12 +194,11 @@ THEOREM(parallel_transport_on_the_sphere_rolls_along_great_circles)
     int trial;
     for (trial = 0; trial < 200; ++trial) {
         size_t n = cell(&c, trial, xyz, length, turning), from = one_of(&c, n), step, k;
-        CHECK_OK(surfmink_frame_embedded(xyz, xyz, n, from, frame));
+        CHECK_OK(surfmink_frame(ON_SPHERE(xyz, n, 1.0), from, frame));
         for (k = 0; k < 3; ++k) rolled[k] = vector[k] = 0.6 * frame[k] + 0.8 * frame[3 + k];
         for (step = 1; step <= n + 2; ++step) {
             roll_on(xyz, length, n, (from + step - 1) % n, rolled);
-            CHECK_OK(surfmink_transport_vector(xyz, xyz, turning, n, from, (ptrdiff_t)step, SURFMINK_PARALLEL, vector,
-                                               carried));
+            CHECK_OK(carry(ON_SPHERE(xyz, n, 1.0), turning, from, (ptrdiff_t)step, SURFMINK_PARALLEL, vector, carried));
             for (k = 0; k < 3; ++k) CHECK_NEAR(carried[k], rolled[k], 5e-14);
         }
     }
@@ -212,15 +211,15 @@ THEOREM(round_the_octant_a_vector_turns_by_a_right_angle_unless_corrected)
     static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
     double length[3], turning[3], frame[9], carried[3];
     size_t k;
-    CHECK_OK(surfmink_edges_sphere(corner, 3, 1.0, length, turning, NULL));
-    CHECK_OK(surfmink_frame_embedded(corner, corner, 3, 0, frame));
+    CHECK_OK(surfmink_edges(ON_SPHERE(corner, 3, 1.0), length, turning, NULL));
+    CHECK_OK(surfmink_frame(IN_SPACE(corner, corner, 3), 0, frame));
     /* Edge 0 runs from the pole towards x: the co-normal points away from y. */
     CHECK_NEAR(frame[0], 0, 0);
     CHECK_NEAR(frame[1], -1, 1e-15);
     CHECK_NEAR(frame[2], 0, 0);
-    CHECK_OK(surfmink_transport_vector(corner, corner, turning, 3, 0, 3, SURFMINK_CORRECTED, frame, carried));
+    CHECK_OK(carry(IN_SPACE(corner, corner, 3), turning, 0, 3, SURFMINK_CORRECTED, frame, carried));
     for (k = 0; k < 3; ++k) CHECK_NEAR(carried[k], frame[k], 1e-15);
-    CHECK_OK(surfmink_transport_vector(corner, corner, turning, 3, 0, 3, SURFMINK_PARALLEL, frame, carried));
+    CHECK_OK(carry(IN_SPACE(corner, corner, 3), turning, 0, 3, SURFMINK_PARALLEL, frame, carried));
     for (k = 0; k < 3; ++k) CHECK_NEAR(carried[k], frame[3 + k], 1e-15); /* from nu a right angle towards tau */
 }
 
@@ -238,22 +237,22 @@ THEOREM(carried_vectors_stay_tangent_and_keep_their_length)
         double angle;
         star_on_chart(&c, &torus, between(&c, 0, 6), between(&c, 0, 6), 0.4, n, xyz, normal);
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_edges_embedded(xyz, normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(xyz, normal, n), length, turning, NULL));
         to = (from + (size_t)(steps + (ptrdiff_t)n)) % n;
-        CHECK_OK(surfmink_frame_embedded(xyz, normal, n, from, start));
-        CHECK_OK(surfmink_frame_embedded(xyz, normal, n, to, end));
+        CHECK_OK(surfmink_frame(IN_SPACE(xyz, normal, n), from, start));
+        CHECK_OK(surfmink_frame(IN_SPACE(xyz, normal, n), to, end));
         for (k = 0; k < 3; ++k)
             vector[k] = 3 * start[k] - 4 * start[3 + k] + 7 * start[6 + k]; /* 7 along the normal is dropped */
-        CHECK_OK(surfmink_transport_vector(xyz, normal, turning, n, from, steps, transport, vector, carried));
+        CHECK_OK(carry(IN_SPACE(xyz, normal, n), turning, from, steps, transport, vector, carried));
         CHECK_NEAR(dot3(carried, end + 6), 0, 1e-14);
         CHECK_CLOSE(dot3(carried, carried), 25, 1e-14);
         /* Its angle against the frame where it arrives is the carried angle. */
         CHECK_OK(surfmink_transport_angle(turning, n, from, steps, transport, atan2(-4, 3), &angle));
         CHECK_ANGLE(atan2(dot3(carried, end + 3), dot3(carried, end)), angle, 1e-14);
-        CHECK_OK(surfmink_transport_vector(xyz, normal, turning, n, to, -steps, transport, carried, back));
+        CHECK_OK(carry(IN_SPACE(xyz, normal, n), turning, to, -steps, transport, carried, back));
         for (k = 0; k < 3; ++k) CHECK_NEAR(back[k], 3 * start[k] - 4 * start[3 + k], 3e-14);
-        CHECK_OK(
-            surfmink_transport_vector(xyz, normal, turning, n, from, steps, transport, vector, vector)); /* in place */
+        CHECK_OK(surfmink_transport_vector(IN_SPACE(xyz, normal, n), turning, from, steps, transport,
+                                           vector)); /* in place */
         CHECK_SAME(vector, carried, 3);
     }
 }

@@ -11,6 +11,7 @@ static const char *advice(int status, const options *o)
     case SURFMINK_CLOCKWISE:
         return o->reverse == REVERSE_ALWAYS ? "; --reverse auto turns only such outlines round"
                                             : "; --reverse auto turns such outlines round";
+    case SURFMINK_OPPOSITE_NORMALS: return ": one of them may be flipped";
     case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them";
     case SURFMINK_BAD_ARGUMENT: return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees";
     default: return "";
@@ -19,7 +20,7 @@ static const char *advice(int status, const options *o)
 
 static void write_refusal(FILE *out, const char *name, const measure *m, const options *o)
 {
-    fprintf(out, "%s:%lu: %s%s\n", name, m->line, surfmink_strerror(m->status), advice(m->status, o));
+    fprintf(out, "%s:%lu: %s%s\n", name, m->line, surfmink_curve_strerror(m->status), advice(m->status, o));
 }
 
 #endif

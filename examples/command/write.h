@@ -100,10 +100,10 @@ static void write_row(FILE *out, const options *o, const powers_of_ten *powers, 
     if (row == JSON_OBJECT) putc('{', out);
     put_word(&w, "id", id);
     put_count(&w, "n", m ? m->n : 0);
-    put_word(&w, "status", m ? surfmink_status_name(m->status) : "");
+    put_word(&w, "status", m ? surfmink_curve_status_name(m->status) : "");
     put_number(&w, "L", 0, 0, ok ? &ok->length : NULL);
     put_number(&w, "S", 0, 0, ok ? &ok->turning : NULL);
-    put_number(&w, "area", 0, 0, ok && surface != EMBEDDED ? &ok->area : NULL);
+    put_number(&w, "area", 0, 0, ok ? &ok->area : NULL);
     for (p = 1; p <= o->max_rank; ++p) put_number(&w, "mu", p, 0, ok ? ok->mu + p : NULL);
     if (o->error) put_number(&w, "error_L", 0, 0, ok ? ok->error : NULL);
     for (p = 1; p <= o->max_rank && o->error; ++p) put_number(&w, "error", p, 0, ok ? ok->error + p : NULL);

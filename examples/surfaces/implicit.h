@@ -1,13 +1,14 @@
 /* implicit.h - geodesics on any smooth surface f = 0, for surfmink.h - MIT or public domain, as surfmink.h
 
-   You give f with its gradient and Hessian; you get the exp and log that surfmink_measure_surface asks for, normals and
-   Gaussian curvature. ellipsoid.h and torus.h beside this file are two instances of a few lines each.
+   You give f with its gradient and Hessian; you get the exp and log of a surfmink_surface, normals and Gaussian
+   curvature. ellipsoid.h and torus.h beside this file are two instances of a few lines each.
 
    QUICK START
      double axis[3] = {1.6, 1.3, 1.0};
      surfmink_implicit body = surfmink_ellipsoid(axis);                       // ellipsoid.h: f, gradient, Hessian
      surfmink_surface surface = surfmink_implicit_surface(&body);             // body and axis must outlive it
-     status = surfmink_measure_surface(&surface, corner, n, scratch, 6, mu, NULL, NULL, NULL);
+     surfmink_outline cell = surfmink_on_surface(&surface, corner, n);
+     status = surfmink_measure(&cell, 6, mu, NULL, NULL, NULL);
 
    HOW IT WORKS
      A geodesic x(s) bends only along the normal:  x'' = -(x'.H x') / |grad f|^2 grad f  with H the Hessian of f.
@@ -152,7 +153,7 @@ static inline int surfmink_implicit_project(const surfmink_implicit *surface, co
     return SURFMINK_OK;
 }
 
-/* Outer unit normal at a point; for surfmink_measure_embedded. */
+/* Outer unit normal at a point; for surfmink_embedded. */
 static inline int surfmink_implicit_normal(const surfmink_implicit *surface, const double x[3], double normal[3])
 {
     implicit__jet jet;
