@@ -77,10 +77,12 @@ static void blur(void)
 static void measure_disc(double *mu, surfmink_functionals *w)
 {
     grey_loops g;
+    surfmink_outline disc;
     contours(grey, SIZE, SIZE, 0.5, GREY_ABOVE, &g);
     CHECK_EQUAL(g.loops, 1);
     CHECK_EQUAL(g.open, 0);
-    if (g.loops == 1) CHECK_OK(surfmink_measure_plane(g.xy, g.corners, RANKS, mu, NULL, w, NULL));
+    disc = surfmink_plane(g.xy, g.corners);
+    if (g.loops == 1) CHECK_OK(surfmink_measure(&disc, RANKS, mu, NULL, w, NULL));
     grey_free(&g);
 }
 
