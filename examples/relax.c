@@ -9,7 +9,7 @@
    with A0 the area of the body over the number of cells. The last term, with d = sqrt(A0)/20, only counts for short
    edges: cells do not change neighbours here, and at an edge that vanishes E would have a kink. The corners follow the
    force -dE/dx, along the surface, until nothing is to be gained. Nobody writes down how mu_p changes with the corners:
-   surfmink_batch_gradient_embedded does.
+   surfmink_batch_gradient of beyond/gradient.h does.
 
      1 read     a table of cells on an ellipsoid, such as tissue.c makes; corners that agree to the last digit are one
      2 energy   measure all cells in one batch
@@ -18,13 +18,14 @@
      5 write    the same table; read again, it has the same energy
 
    compile   cc examples/relax.c -o relax -lm
-   run       ./tissue --cells 60 --relax 1 > wild.tsv
-             ./relax --log energy.tsv < wild.tsv > calm.tsv
+   run       ./tissue --cells 60 --relax 1 --axes 90,60,50 > wild.tsv
+             ./relax --axes 90,60,50 --log energy.tsv < wild.tsv > calm.tsv
              ./surfmink --color-by 6 --unit um --svg calm.svg calm.tsv */
 
 #define SURFMINK_IMPLEMENTATION
 #include "../surfmink.h"
 
+#include "beyond/gradient.h"
 #include "command/harmless.h"
 #include "surfaces/ellipsoid.h"
 
@@ -220,6 +221,7 @@ static double short_edges(size_t c, double *by_corner)
 /* HUGE_VAL where a cell cannot be measured: no step may lead there. */
 static double energy(const double *x)
 {
+    surfmink_outline all = surfmink_embedded(corner, normal, offset[cells]);
     surfmink_results out;
     double sum = 0;
     size_t c;
@@ -228,7 +230,7 @@ static double energy(const double *x)
     out.length = length;
     out.mu = mu;
     place(x);
-    if (surfmink_batch_embedded(corner, normal, offset, cells, rank, &out, NULL) > 0) return HUGE_VAL;
+    if (surfmink_batch(&all, offset, cells, rank, &out, NULL) > 0) return HUGE_VAL;
     for (c = 0; c < cells; ++c) {
         double size, around = length[c] / sqrt(cell_area) - shape;
         area[c] = area_of(c, 0, NULL);
@@ -244,13 +246,17 @@ static double energy(const double *x)
 /* The gradient of E by the shared corners, along the surface. The energy there has just been taken. */
 static void gradient(const double *x, double *by_vertex)
 {
-    static double by_mu[MOST_CELLS * (MOST_RANK + 1)], by_length[MOST_CELLS], scratch[6 * MOST_CORNERS];
+    static double by_mu[MOST_CELLS * (MOST_RANK + 1)], by_length[MOST_CELLS];
+    static double scratch[4 * MOST_CORNERS + (2 * MOST_RANK + 2) * MOST_CELLS];
     static double by_corner[3 * MOST_CORNERS], by_normal[3 * MOST_CORNERS];
     surfmink_weights weights = {NULL, NULL, NULL, NULL, 0};
-    surfmink_results nothing_new;
+    surfmink_outline all = surfmink_embedded(corner, normal, offset[cells]);
+    surfmink_gradients to;
     double hessian[6], up[3], part;
     size_t c, i, k, v;
-    memset(&nothing_new, 0, sizeof nothing_new);
+    memset(&to, 0, sizeof to);
+    to.by_corner = by_corner;
+    to.by_normal = by_normal;
     weights.mu = by_mu;
     weights.length = by_length;
     for (c = 0; c < cells; ++c) { /* the perimeter is not linear in E: its weight is what it is now */
@@ -258,8 +264,7 @@ static void gradient(const double *x, double *by_vertex)
         by_length[c] = perimeter_stiffness * (length[c] / sqrt(cell_area) - shape) / sqrt(cell_area);
     }
     place(x);
-    surfmink_batch_gradient_embedded(corner, normal, offset, cells, rank, &weights, &nothing_new, by_corner, by_normal,
-                                     scratch);
+    surfmink_batch_gradient(&all, offset, cells, rank, &weights, &to, scratch);
     for (c = 0; c < cells; ++c) {
         area_of(c, (area[c] / cell_area - 1) / cell_area, by_corner);
         short_edges(c, by_corner);

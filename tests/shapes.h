@@ -129,6 +129,20 @@ static inline void start_at(size_t k, const double *corner, size_t n, size_t str
     memcpy(relabelled + (n - k) * stride, corner, k * stride * sizeof *corner);
 }
 
+/* A tangent vector, carried along an outline into another array; if that fails, not even the copy may have changed. */
+static inline int carry(const surfmink_outline *outline, const double *turning, size_t from, ptrdiff_t steps,
+                        int transport, const double *vector, double *carried)
+{
+    size_t size = (outline->kind == SURFMINK_PLANE ? 2 : 3) * sizeof *vector;
+    double moved[3];
+    int status;
+    memcpy(moved, vector, size);
+    status = surfmink_transport_vector(outline, turning, from, steps, transport, moved);
+    if (status != SURFMINK_OK && memcmp(moved, vector, size) != 0) return -1;
+    if (status == SURFMINK_OK) memcpy(carried, moved, size);
+    return status;
+}
+
 /* --- surfaces in space, as charts (u, v) -------------------------------------------------------------------------- */
 
 typedef struct chart {

@@ -52,7 +52,7 @@ static void judge(const exact *e, size_t n, const double *length, const double *
     double g[2 * (P + 1)], mu[P + 1];
     surfmink_functionals w;
     int p;
-    CHECK_OK(surfmink_total(length, turning, n, &w));
+    CHECK_OK(surfmink_total(NULL, length, turning, n, &w));
     CHECK_OK(surfmink_irreducible(length, phase, n, P, g));
     CHECK_OK(surfmink_spectrum(g, P, NULL, mu, NULL));
     off->length = fabs(w.length - e->length);
@@ -77,9 +77,9 @@ static void measure(const exact *e, const flower_ruler *ruler, enum scheme schem
     size_t i;
     for (i = 0; i < n; ++i) flower_at(ruler, position(kind, i, n) + shift, corner + 3 * i, normal + 3 * i);
     if (scheme == GREAT_CIRCLES)
-        CHECK_OK(surfmink_edges_sphere(corner, n, 1.0, length, turning, NULL));
+        CHECK_OK(surfmink_edges(ON_SPHERE(corner, n, 1.0), length, turning, NULL));
     else
-        CHECK_OK(surfmink_edges_embedded(corner, normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(corner, normal, n), length, turning, NULL));
     CHECK_OK(surfmink_phases(turning, n, SURFMINK_CORRECTED, phase));
     if (recipe == SECTION_4) { /* the turn at corner 0 counts, the one at corner i does not yet */
         double total = 0;
@@ -125,19 +125,19 @@ static void converges(const char *which, enum scheme scheme, enum recipe recipe,
     }
 }
 
-THEOREM(great_circle_polygons_in_a_flower_on_the_sphere_converge_at_second_order)
+THEOREM(great_circles_in_a_flower_converge_at_second_order)
 {
     converges("xs00", GREAT_CIRCLES, SECTION_3, 2, 0.02);
 }
 
-THEOREM(chords_in_flowers_on_a_sphere_an_ellipsoid_and_a_torus_converge_at_second_order)
+THEOREM(chords_of_flowers_converge_at_second_order_everywhere)
 {
     converges("xs00", CHORDS, SECTION_3, 2, 0.02);
     converges("xs01", CHORDS, SECTION_3, 2, 0.02);
     converges("xs02", CHORDS, SECTION_3, 2, 0.15); /* its petals are sharper: 512 corners are few */
 }
 
-THEOREM(with_the_index_of_section_4_components_converge_at_first_order_only)
+THEOREM(by_the_index_of_section_4_components_are_of_first_order)
 {
     converges("xs00", GREAT_CIRCLES, SECTION_4, 1, 0.1);
     converges("xs01", CHORDS, SECTION_4, 1, 0.1);
@@ -164,7 +164,7 @@ THEOREM(lengths_grow_towards_the_length_of_the_curve)
         size_t i;
         for (i = 0; i < n; ++i) flower_at(&ruler, (double)i / (double)n, corner + 3 * i, normal + 3 * i);
         CASE("%d corners", (int)n);
-        CHECK_OK(surfmink_measure_embedded(corner, normal, n, 0, NULL, NULL, &w, NULL));
+        CHECK_OK(surfmink_measure(IN_SPACE(corner, normal, n), 0, NULL, NULL, &w, NULL));
         CHECK(w.length > before && w.length < e.length);
         before = w.length;
     }
@@ -172,9 +172,9 @@ THEOREM(lengths_grow_towards_the_length_of_the_curve)
 
 int main(void)
 {
-    PROVE(great_circle_polygons_in_a_flower_on_the_sphere_converge_at_second_order);
-    PROVE(chords_in_flowers_on_a_sphere_an_ellipsoid_and_a_torus_converge_at_second_order);
-    PROVE(with_the_index_of_section_4_components_converge_at_first_order_only);
+    PROVE(great_circles_in_a_flower_converge_at_second_order);
+    PROVE(chords_of_flowers_converge_at_second_order_everywhere);
+    PROVE(by_the_index_of_section_4_components_are_of_first_order);
     PROVE(compared_at_a_corner_components_converge_at_first_order_only);
     PROVE(lengths_grow_towards_the_length_of_the_curve);
     return QED();

@@ -72,13 +72,12 @@ static void place(polygon *q, enum partition kind, size_t n)
 
 static void join(polygon *q, enum edges edges)
 {
-    static double scratch[2 * FINEST];
     surfmink_implicit body = surfmink_ellipsoid(exact_flower()->curve.axis);
     surfmink_surface surface = surfmink_implicit_surface(&body);
     if (edges == CHORDS)
-        CHECK_OK(surfmink_edges_embedded(q->corner, q->normal, q->n, q->length, q->turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(q->corner, q->normal, q->n), q->length, q->turning, NULL));
     else
-        CHECK_OK(surfmink_edges_surface(&surface, q->corner, q->n, scratch, q->length, q->turning, NULL));
+        CHECK_OK(surfmink_edges(ON_SURFACE(&surface, q->corner, q->n), q->length, q->turning, NULL));
 }
 
 typedef struct errors {
@@ -95,7 +94,7 @@ static void judge(const polygon *q, enum index index, errors *off)
     size_t i;
     int p;
     for (i = 0; i < q->n; ++i) turn[i] = q->turning[index == SECTION_3 ? i : i > 0 ? i - 1 : q->n - 1];
-    CHECK_OK(surfmink_total(q->length, turn, q->n, &w));
+    CHECK_OK(surfmink_total(NULL, q->length, turn, q->n, &w));
     CHECK_OK(surfmink_phases(turn, q->n, SURFMINK_CORRECTED, phase));
     CHECK_OK(surfmink_irreducible(q->length, phase, q->n, P, g));
     CHECK_OK(surfmink_spectrum(g, P, NULL, mu, NULL));
@@ -155,19 +154,19 @@ static void converges(enum edges edges)
     }
 }
 
-THEOREM(geodesics_in_a_flower_on_an_ellipsoid_converge_at_second_order_on_every_partition)
+THEOREM(geodesic_flowers_converge_at_second_order)
 {
     converges(GEODESICS);
 }
 
-THEOREM(chords_in_a_flower_on_an_ellipsoid_converge_at_second_order_on_every_partition)
+THEOREM(chords_of_flowers_converge_at_second_order_however_cut)
 {
     converges(CHORDS);
 }
 
 /* The index of paper 4.1, which adds each turn one edge too late: components never see order 2, and mu only where
    edges are equal in the mean. */
-THEOREM(with_the_index_of_section_4_geodesics_do_no_better_than_first_order)
+THEOREM(by_the_index_of_section_4_geodesics_are_of_first_order)
 {
     static polygon q;
     errors coarse, fine;
@@ -309,7 +308,7 @@ static void measure_disturbed(enum partition kind, int by_chance, double tilt, i
 
 /* Paper 4.3 and Corollary 4.11, what a mesh gives: points of order h^2, normals of order h. Order 1 is proved, and
    there is no more of it. */
-THEOREM(with_points_of_order_h2_and_normals_of_order_h_the_order_is_one)
+THEOREM(points_of_order_h2_and_normals_of_order_h_make_order_one)
 {
     errors off[LEVELS];
     int kind;
@@ -402,9 +401,9 @@ THEOREM(on_level_sets_the_index_of_section_4_costs_an_order)
         turning = length + n;
         phase = turning + n;
         right[level / 8] = late[level / 8] = 0;
-        CHECK_OK(surfmink_measure_embedded(loops.corner, loops.normal, n, 6, mu, NULL, NULL, NULL));
+        CHECK_OK(surfmink_measure(IN_SPACE(loops.corner, loops.normal, n), 6, mu, NULL, NULL, NULL));
         for (p = 2; p <= 6; p += 2) right[level / 8] = fmax(right[level / 8], fabs(mu[p] - limit[p]));
-        CHECK_OK(surfmink_edges_embedded(loops.corner, loops.normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(loops.corner, loops.normal, n), length, turning, NULL));
         surfmink_reverse(turning, n, 1); /* twice, and once without the first: every turn moves one corner on */
         surfmink_reverse(turning + 1, n - 1, 1);
         CHECK_OK(surfmink_phases(turning, n, SURFMINK_CORRECTED, phase));
@@ -423,13 +422,13 @@ THEOREM(on_level_sets_the_index_of_section_4_costs_an_order)
 
 int main(void)
 {
-    PROVE(geodesics_in_a_flower_on_an_ellipsoid_converge_at_second_order_on_every_partition);
-    PROVE(chords_in_a_flower_on_an_ellipsoid_converge_at_second_order_on_every_partition);
-    PROVE(with_the_index_of_section_4_geodesics_do_no_better_than_first_order);
+    PROVE(geodesic_flowers_converge_at_second_order);
+    PROVE(chords_of_flowers_converge_at_second_order_however_cut);
+    PROVE(by_the_index_of_section_4_geodesics_are_of_first_order);
     PROVE(a_turn_is_the_curvature_times_half_the_edges_that_meet_there);
     PROVE(chords_turn_as_geodesics_do);
     PROVE(turns_add_up_to_the_curvature_passed);
-    PROVE(with_points_of_order_h2_and_normals_of_order_h_the_order_is_one);
+    PROVE(points_of_order_h2_and_normals_of_order_h_make_order_one);
     PROVE(with_points_and_normals_of_order_h2_the_order_is_two);
     PROVE(with_worse_points_or_normals_nothing_converges);
     PROVE(richardsons_extrapolation_of_two_polygons_has_order_four);

@@ -86,13 +86,13 @@ THEOREM(great_circle_polygons_of_every_size)
         double radius = table_number(&t, "R");
         CASE("%s %s", table_text(&t, "case"), table_text(&t, "desc"));
         CHECK_EQUAL(n, table_number(&t, "q"));
-        CHECK_OK(surfmink_edges_sphere(corner, n, radius, length, turning, NULL));
+        CHECK_OK(surfmink_edges(ON_SPHERE(corner, n, radius), length, turning, NULL));
         compare_edges(n, length, turning, l, alpha);
-        CHECK_OK(surfmink_measure_sphere(corner, n, radius, P, mu, g, &w, NULL));
+        CHECK_OK(surfmink_measure(ON_SPHERE(corner, n, radius), P, mu, g, &w, NULL));
         compare(&t, &w, mu, g);
         off_by(AREA, w.area, table_number(&t, "area"));
         off_by(AREA, w.curvature * radius * radius, table_number(&t, "area"));
-        CHECK_OK(surfmink_area_sphere(corner, n, radius, &area));
+        CHECK_OK(surfmink_area(ON_SPHERE(corner, n, radius), &area));
         off_by(AREA, area, table_number(&t, "area"));
         ++cases;
     }
@@ -102,9 +102,9 @@ THEOREM(great_circle_polygons_of_every_size)
 
 THEOREM(great_circle_polygons_through_callbacks)
 {
-    double corner[3 * MOST], normal[3 * MOST], l[MOST], alpha[MOST], length[MOST], turning[MOST], scratch[2 * MOST];
+    double corner[3 * MOST], normal[3 * MOST], l[MOST], alpha[MOST], length[MOST], turning[MOST];
     double mu[P + 1], g[2 * (P + 1)], radius;
-    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_surface sphere = surfmink_sphere_surface(&radius);
     surfmink_functionals w;
     table t;
     table_open(&t, "tests/data/sphere_geodesic_ref.tsv");
@@ -112,9 +112,9 @@ THEOREM(great_circle_polygons_through_callbacks)
         size_t n = points("tests/data/sphere_geodesic_points.tsv", table_text(&t, "case"), corner, normal, l, alpha);
         radius = table_number(&t, "R");
         CASE("%s %s", table_text(&t, "case"), table_text(&t, "desc"));
-        CHECK_OK(surfmink_edges_surface(&sphere, corner, n, scratch, length, turning, NULL));
+        CHECK_OK(surfmink_edges(ON_SURFACE(&sphere, corner, n), length, turning, NULL));
         compare_edges(n, length, turning, l, alpha);
-        CHECK_OK(surfmink_measure_surface(&sphere, corner, n, scratch, P, mu, g, &w, NULL));
+        CHECK_OK(surfmink_measure(ON_SURFACE(&sphere, corner, n), P, mu, g, &w, NULL));
         compare(&t, &w, mu, g);
     }
     report("sphere_geodesic by callbacks");
@@ -132,9 +132,9 @@ THEOREM(straight_chords_on_ellipsoids_and_tori)
         size_t n = points("tests/data/line_surface_points.tsv", table_text(&t, "case"), corner, normal, l, alpha);
         CASE("%s %s", table_text(&t, "case"), table_text(&t, "desc"));
         CHECK_EQUAL(n, table_number(&t, "q"));
-        CHECK_OK(surfmink_edges_embedded(corner, normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(corner, normal, n), length, turning, NULL));
         compare_edges(n, length, turning, l, alpha);
-        CHECK_OK(surfmink_measure_embedded(corner, normal, n, P, mu, g, &w, NULL));
+        CHECK_OK(surfmink_measure(IN_SPACE(corner, normal, n), P, mu, g, &w, NULL));
         compare(&t, &w, mu, g);
         ++cases;
     }
@@ -158,16 +158,16 @@ THEOREM(flat_polygons_in_the_plane_and_in_space)
         }
         CASE("%s %s", table_text(&t, "case"), table_text(&t, "desc"));
         CHECK_EQUAL(n, table_number(&t, "q"));
-        CHECK_OK(surfmink_edges_plane(xy, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_PLANE(xy, n), length, turning, NULL));
         compare_edges(n, length, turning, l, alpha);
-        CHECK_OK(surfmink_measure_plane(xy, n, P, mu, g, &w, NULL));
+        CHECK_OK(surfmink_measure(IN_PLANE(xy, n), P, mu, g, &w, NULL));
         compare(&t, &w, mu, g);
         off_by(AREA, w.area, table_number(&t, "area"));
-        CHECK_OK(surfmink_area_plane(xy, n, &area));
+        CHECK_OK(surfmink_area(IN_PLANE(xy, n), &area));
         off_by(AREA, area, table_number(&t, "area"));
-        CHECK_OK(surfmink_edges_embedded(corner, normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(corner, normal, n), length, turning, NULL));
         compare_edges(n, length, turning, l, alpha);
-        CHECK_OK(surfmink_measure_embedded(corner, normal, n, P, mu, g, &w, NULL));
+        CHECK_OK(surfmink_measure(IN_SPACE(corner, normal, n), P, mu, g, &w, NULL));
         compare(&t, &w, mu, g);
         ++cases;
     }
@@ -187,7 +187,7 @@ THEOREM(geodesic_polygons_from_their_lengths_and_turning_angles)
     while (table_next(&t)) {
         size_t n = points("tests/data/geodesic_surface_points.tsv", table_text(&t, "case"), corner, normal, l, alpha);
         CASE("%s %s", table_text(&t, "case"), table_text(&t, "desc"));
-        CHECK_OK(surfmink_total(l, alpha, n, &w));
+        CHECK_OK(surfmink_total(NULL, l, alpha, n, &w));
         CHECK_OK(surfmink_phases(alpha, n, SURFMINK_CORRECTED, alpha));
         CHECK_OK(surfmink_irreducible(l, alpha, n, P, g));
         CHECK_OK(surfmink_spectrum(g, P, NULL, mu, NULL));
@@ -232,7 +232,7 @@ THEOREM(the_octant_with_the_classical_transport)
     double length[3], turning[3], g[14], mu[7], error, most = 0;
     table t;
     int p, rows = 0;
-    CHECK_OK(surfmink_edges_sphere(corner, 3, 1.0, length, turning, NULL));
+    CHECK_OK(surfmink_edges(ON_SPHERE(corner, 3, 1.0), length, turning, NULL));
     table_open(&t, "examples/paper/data/triangle90.tsv");
     while (table_next(&t)) {
         double u = table_number(&t, "u");
@@ -264,7 +264,7 @@ static void sample(const flower *f, size_t n, double *value)
     size_t i;
     for (i = 0; i < n; ++i)
         flower_point(f, 2 * PI * ((double)i - 0.5) / (double)n, corner + 3 * i, normal + 3 * i, NULL);
-    CHECK_OK(surfmink_measure_embedded(corner, normal, n, P, NULL, g, &w, NULL));
+    CHECK_OK(surfmink_measure(IN_SPACE(corner, normal, n), P, NULL, g, &w, NULL));
     value[0] = w.length;
     value[1] = w.turning;
     memcpy(value + 2, g + 2, 2 * P * sizeof *g);
@@ -327,9 +327,9 @@ static double paper_table(const char *path, const chart *surface, int geodesic)
         for (i = 0; i < q; ++i) flower_at(&ruler, (double)i / (double)q, corner + 3 * i, normal + 3 * i);
         CASE("q = %d", (int)q);
         if (geodesic)
-            CHECK_OK(surfmink_measure_sphere(corner, q, 1.0, 3, mu, NULL, &w, NULL));
+            CHECK_OK(surfmink_measure(ON_SPHERE(corner, q, 1.0), 3, mu, NULL, &w, NULL));
         else
-            CHECK_OK(surfmink_measure_embedded(corner, normal, q, 3, mu, NULL, &w, NULL));
+            CHECK_OK(surfmink_measure(IN_SPACE(corner, normal, q), 3, mu, NULL, &w, NULL));
         CHECK_CLOSE(w.length, table_number(&t, "L_q"), 2e-14);
         CHECK_CLOSE(w.turning, table_number(&t, "kappa_q"), 1e-13);
         CHECK_NEAR(mu[3], table_number(&t, "mu3_std"), 1e-13);

@@ -15,7 +15,7 @@ static size_t cell(chance *c, int trial, double *xyz, double *length, double *tu
     gentle_star(c, n, xy);
     onto_sphere(xy, n, between(c, 0.05, 2), xyz);
     turn_somehow(c, xyz, n);
-    CHECK_OK(surfmink_edges_sphere(xyz, n, 1.0, length, turning, NULL));
+    CHECK_OK(surfmink_edges(ON_SPHERE(xyz, n, 1.0), length, turning, NULL));
     return n;
 }
 
@@ -28,7 +28,7 @@ static double sum_of(const double *a, size_t n)
 
 /* --- phases ------------------------------------------------------------------------------------------------------- */
 
-THEOREM(a_phase_is_the_turn_since_edge_0_scaled_so_that_one_round_is_two_pi)
+THEOREM(a_phase_is_the_turn_since_edge_0_over_that_of_one_round)
 {
     static const double turning[4] = {1.0, 0.5, -0.25, 0.75}; /* S = 2: one round is stretched by pi */
     double f[4], phi[4], eta[4];
@@ -52,7 +52,7 @@ THEOREM(a_phase_is_the_turn_since_edge_0_scaled_so_that_one_round_is_two_pi)
 /* Paper 2.3, eq. (f). */
 THEOREM(the_corrected_phase_is_the_parallel_one_plus_the_defect)
 {
-    chance c = {21};
+    chance c = {seed(21)};
     double xyz[3 * MOST], length[MOST], turning[MOST], f[MOST], phi[MOST], eta[MOST];
     int trial;
     for (trial = 0; trial < 500; ++trial) {
@@ -74,14 +74,14 @@ THEOREM(the_corrected_phase_is_the_parallel_one_plus_the_defect)
 
 THEOREM(where_nothing_is_enclosed_there_is_no_defect)
 {
-    chance c = {22};
+    chance c = {seed(22)};
     double xy[2 * MOST], length[MOST], turning[MOST], f[MOST], phi[MOST], eta[MOST];
     int trial;
     for (trial = 0; trial < 200; ++trial) {
         size_t n = 3 + one_of(&c, MOST - 2), i;
         random_star(&c, n, xy);
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_edges_plane(xy, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_PLANE(xy, n), length, turning, NULL));
         CHECK_OK(surfmink_phases(turning, n, SURFMINK_CORRECTED, f));
         CHECK_OK(surfmink_phases(turning, n, SURFMINK_PARALLEL, phi));
         CHECK_OK(surfmink_phases(turning, n, SURFMINK_DEFECT, eta));
@@ -94,7 +94,7 @@ THEOREM(where_nothing_is_enclosed_there_is_no_defect)
 
 THEOREM(phases_may_take_the_place_of_the_turning_angles)
 {
-    chance c = {23};
+    chance c = {seed(23)};
     double xyz[3 * MOST], length[MOST], turning[MOST], apart[MOST];
     int trial, transport;
     for (trial = 0; trial < 30; ++trial)
@@ -112,7 +112,7 @@ THEOREM(carried_back_to_edge_0_a_co_normal_has_the_phase_of_its_edge)
 {
     /* That is what a phase is (paper 2.3): the angle of the transported co-normal against the co-normal at the
        fiducial point. */
-    chance c = {24};
+    chance c = {seed(24)};
     double xyz[3 * MOST], length[MOST], turning[MOST], phase[MOST], carried;
     int trial, transport;
     for (trial = 0; trial < 60; ++trial)
@@ -128,16 +128,16 @@ THEOREM(carried_back_to_edge_0_a_co_normal_has_the_phase_of_its_edge)
         }
 }
 
-THEOREM(after_one_round_the_corrected_transport_closes_and_the_parallel_one_is_off_by_the_enclosed_curvature)
+THEOREM(one_round_closes_but_for_the_enclosed_curvature)
 {
-    chance c = {25};
+    chance c = {seed(25)};
     double xyz[3 * MOST], length[MOST], turning[MOST], area, carried;
     int trial;
     for (trial = 0; trial < 300; ++trial) {
         size_t n = cell(&c, trial, xyz, length, turning), from = one_of(&c, n);
         double angle = between(&c, -PI, PI);
         ptrdiff_t round = (ptrdiff_t)n;
-        CHECK_OK(surfmink_area_sphere(xyz, n, 1.0, &area)); /* on the unit sphere the area is the curvature */
+        CHECK_OK(surfmink_area(ON_SPHERE(xyz, n, 1.0), &area)); /* on the unit sphere the area is the curvature */
         CHECK_OK(surfmink_transport_angle(turning, n, from, round, SURFMINK_CORRECTED, angle, &carried));
         CHECK_NEAR(carried, angle - 2 * PI, 2e-15);
         CHECK_OK(surfmink_transport_angle(turning, n, from, 3 * round, SURFMINK_CORRECTED, angle, &carried));
@@ -151,9 +151,9 @@ THEOREM(after_one_round_the_corrected_transport_closes_and_the_parallel_one_is_o
     }
 }
 
-THEOREM(transport_there_and_on_is_transport_all_the_way_and_back_is_back)
+THEOREM(transports_add_up_and_undo_each_other)
 {
-    chance c = {26};
+    chance c = {seed(26)};
     double xyz[3 * MOST], length[MOST], turning[MOST], there, on, all, back;
     int trial;
     for (trial = 0; trial < 300; ++trial) {
@@ -189,17 +189,16 @@ static void roll_on(const double *xyz, const double *length, size_t n, size_t fr
 
 THEOREM(parallel_transport_on_the_sphere_rolls_along_great_circles)
 {
-    chance c = {27};
+    chance c = {seed(27)};
     double xyz[3 * MOST], length[MOST], turning[MOST], frame[9], vector[3], rolled[3], carried[3];
     int trial;
     for (trial = 0; trial < 200; ++trial) {
         size_t n = cell(&c, trial, xyz, length, turning), from = one_of(&c, n), step, k;
-        CHECK_OK(surfmink_frame_embedded(xyz, xyz, n, from, frame));
+        CHECK_OK(surfmink_frame(ON_SPHERE(xyz, n, 1.0), from, frame));
         for (k = 0; k < 3; ++k) rolled[k] = vector[k] = 0.6 * frame[k] + 0.8 * frame[3 + k];
         for (step = 1; step <= n + 2; ++step) {
             roll_on(xyz, length, n, (from + step - 1) % n, rolled);
-            CHECK_OK(surfmink_transport_vector(xyz, xyz, turning, n, from, (ptrdiff_t)step, SURFMINK_PARALLEL, vector,
-                                               carried));
+            CHECK_OK(carry(ON_SPHERE(xyz, n, 1.0), turning, from, (ptrdiff_t)step, SURFMINK_PARALLEL, vector, carried));
             for (k = 0; k < 3; ++k) CHECK_NEAR(carried[k], rolled[k], 5e-14);
         }
     }
@@ -207,27 +206,27 @@ THEOREM(parallel_transport_on_the_sphere_rolls_along_great_circles)
 
 /* Paper, figure (parallel-transport): carried round the octant a vector comes back turned by a right angle, or as it
    was. */
-THEOREM(round_the_octant_a_vector_turns_by_a_right_angle_unless_corrected)
+THEOREM(round_the_octant_a_vector_turns_unless_corrected)
 {
     static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
     double length[3], turning[3], frame[9], carried[3];
     size_t k;
-    CHECK_OK(surfmink_edges_sphere(corner, 3, 1.0, length, turning, NULL));
-    CHECK_OK(surfmink_frame_embedded(corner, corner, 3, 0, frame));
+    CHECK_OK(surfmink_edges(ON_SPHERE(corner, 3, 1.0), length, turning, NULL));
+    CHECK_OK(surfmink_frame(IN_SPACE(corner, corner, 3), 0, frame));
     /* Edge 0 runs from the pole towards x: the co-normal points away from y. */
     CHECK_NEAR(frame[0], 0, 0);
     CHECK_NEAR(frame[1], -1, 1e-15);
     CHECK_NEAR(frame[2], 0, 0);
-    CHECK_OK(surfmink_transport_vector(corner, corner, turning, 3, 0, 3, SURFMINK_CORRECTED, frame, carried));
+    CHECK_OK(carry(IN_SPACE(corner, corner, 3), turning, 0, 3, SURFMINK_CORRECTED, frame, carried));
     for (k = 0; k < 3; ++k) CHECK_NEAR(carried[k], frame[k], 1e-15);
-    CHECK_OK(surfmink_transport_vector(corner, corner, turning, 3, 0, 3, SURFMINK_PARALLEL, frame, carried));
+    CHECK_OK(carry(IN_SPACE(corner, corner, 3), turning, 0, 3, SURFMINK_PARALLEL, frame, carried));
     for (k = 0; k < 3; ++k) CHECK_NEAR(carried[k], frame[3 + k], 1e-15); /* from nu a right angle towards tau */
 }
 
 THEOREM(carried_vectors_stay_tangent_and_keep_their_length)
 {
     static const chart torus = {TORUS, 2.0, 0.9, 0};
-    chance c = {28};
+    chance c = {seed(28)};
     double xyz[3 * MOST], normal[3 * MOST], length[MOST], turning[MOST], start[9], end[9], vector[3], carried[3],
         back[3];
     int trial;
@@ -238,37 +237,37 @@ THEOREM(carried_vectors_stay_tangent_and_keep_their_length)
         double angle;
         star_on_chart(&c, &torus, between(&c, 0, 6), between(&c, 0, 6), 0.4, n, xyz, normal);
         CASE("trial %d", trial);
-        CHECK_OK(surfmink_edges_embedded(xyz, normal, n, length, turning, NULL));
+        CHECK_OK(surfmink_edges(IN_SPACE(xyz, normal, n), length, turning, NULL));
         to = (from + (size_t)(steps + (ptrdiff_t)n)) % n;
-        CHECK_OK(surfmink_frame_embedded(xyz, normal, n, from, start));
-        CHECK_OK(surfmink_frame_embedded(xyz, normal, n, to, end));
+        CHECK_OK(surfmink_frame(IN_SPACE(xyz, normal, n), from, start));
+        CHECK_OK(surfmink_frame(IN_SPACE(xyz, normal, n), to, end));
         for (k = 0; k < 3; ++k)
             vector[k] = 3 * start[k] - 4 * start[3 + k] + 7 * start[6 + k]; /* 7 along the normal is dropped */
-        CHECK_OK(surfmink_transport_vector(xyz, normal, turning, n, from, steps, transport, vector, carried));
+        CHECK_OK(carry(IN_SPACE(xyz, normal, n), turning, from, steps, transport, vector, carried));
         CHECK_NEAR(dot3(carried, end + 6), 0, 1e-14);
         CHECK_CLOSE(dot3(carried, carried), 25, 1e-14);
         /* Its angle against the frame where it arrives is the carried angle. */
         CHECK_OK(surfmink_transport_angle(turning, n, from, steps, transport, atan2(-4, 3), &angle));
         CHECK_ANGLE(atan2(dot3(carried, end + 3), dot3(carried, end)), angle, 1e-14);
-        CHECK_OK(surfmink_transport_vector(xyz, normal, turning, n, to, -steps, transport, carried, back));
+        CHECK_OK(carry(IN_SPACE(xyz, normal, n), turning, to, -steps, transport, carried, back));
         for (k = 0; k < 3; ++k) CHECK_NEAR(back[k], 3 * start[k] - 4 * start[3 + k], 3e-14);
-        CHECK_OK(
-            surfmink_transport_vector(xyz, normal, turning, n, from, steps, transport, vector, vector)); /* in place */
+        CHECK_OK(surfmink_transport_vector(IN_SPACE(xyz, normal, n), turning, from, steps, transport,
+                                           vector)); /* in place */
         CHECK_SAME(vector, carried, 3);
     }
 }
 
 int main(void)
 {
-    PROVE(a_phase_is_the_turn_since_edge_0_scaled_so_that_one_round_is_two_pi);
+    PROVE(a_phase_is_the_turn_since_edge_0_over_that_of_one_round);
     PROVE(the_corrected_phase_is_the_parallel_one_plus_the_defect);
     PROVE(where_nothing_is_enclosed_there_is_no_defect);
     PROVE(phases_may_take_the_place_of_the_turning_angles);
     PROVE(carried_back_to_edge_0_a_co_normal_has_the_phase_of_its_edge);
-    PROVE(after_one_round_the_corrected_transport_closes_and_the_parallel_one_is_off_by_the_enclosed_curvature);
-    PROVE(transport_there_and_on_is_transport_all_the_way_and_back_is_back);
+    PROVE(one_round_closes_but_for_the_enclosed_curvature);
+    PROVE(transports_add_up_and_undo_each_other);
     PROVE(parallel_transport_on_the_sphere_rolls_along_great_circles);
-    PROVE(round_the_octant_a_vector_turns_by_a_right_angle_unless_corrected);
+    PROVE(round_the_octant_a_vector_turns_unless_corrected);
     PROVE(carried_vectors_stay_tangent_and_keep_their_length);
     return QED();
 }

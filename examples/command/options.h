@@ -2,7 +2,7 @@
 #ifndef SURFMINK_COMMAND_OPTIONS_H
 #define SURFMINK_COMMAND_OPTIONS_H
 
-#include "camera.h"
+#include "../picture/camera.h"
 #include "common.h"
 #include "number.h"
 
@@ -125,7 +125,7 @@ static const char *const help_text[] = {
     "  a column file stands before them\n"
     "    n          number of corners, as measured\n"
     "    status     ok, or what is wrong with the polygon; it then has no numbers\n"
-    "    L, area    length of the outline; area on its left (plane, sphere)\n"
+    "    L, area    length of the outline; area on its left (embedded: an estimate from corners and normals)\n"
     "    S          sum of the turning angles = 2 pi - enclosed curvature\n"
     "    mu_p       p-fold symmetry, 0 to 1\n"
     "    theta_p    direction of it: radians in (-pi/p, pi/p], at the middle of the first edge, from the outer\n"

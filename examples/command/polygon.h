@@ -2,6 +2,7 @@
 #ifndef SURFMINK_COMMAND_POLYGON_H
 #define SURFMINK_COMMAND_POLYGON_H
 
+#include "../beyond/curve.h"
 #include "common.h"
 #include "options.h"
 
@@ -15,7 +16,7 @@ static const char *status_name(int status)
     case FAULT_SEVERAL_RINGS: return "several_rings";
     case FAULT_SHORT_EDGE: return "short_edge";
     case FAULT_SPIKE: return "spike";
-    default: return surfmink_status_name(status);
+    default: return surfmink_curve_status_name(status);
     }
 }
 
@@ -27,7 +28,7 @@ static const char *status_text(int status)
         return "the first corner comes again here, and the outline goes on: a hole, or another part, under the same id";
     case FAULT_SPIKE: return "the outline goes there and back at this corner, a spike, which smoothing would spread";
     case FAULT_SHORT_EDGE: return "this corner is all but that before it, which curves do not bear";
-    default: return surfmink_strerror(status);
+    default: return surfmink_curve_strerror(status);
     }
 }
 

@@ -18,6 +18,7 @@ static const char *advice(const measure *m, const options *o)
         return m->surface == PLANE ? "; --reverse auto turns such outlines round; if y points down, as in images, "
                                      "--y-down does, and keeps directions right"
                                    : "; --reverse auto turns such outlines round; or normals point inwards";
+    case SURFMINK_OPPOSITE_NORMALS: return ": one of them may be flipped";
     case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them, --repair also seams and spikes";
     case SURFMINK_BAD_ARGUMENT:
         return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees; x y of a map want --surface "

@@ -26,6 +26,8 @@
 
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
+#include "../beyond/curve.h"
+#include "../beyond/director.h"
 
 #include "../command/options.h"
 #include "../command/read.h"

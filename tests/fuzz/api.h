@@ -19,7 +19,7 @@ typedef struct measured {
 
 static inline int is_known(int status)
 {
-    return status >= SURFMINK_OK && status <= SURFMINK_BAD_ARGUMENT;
+    return status >= SURFMINK_OK && status <= SURFMINK_OPPOSITE_NORMALS;
 }
 
 static inline int all_finite(const double *x, size_t count)

@@ -1,13 +1,12 @@
 /* batch.c - fuzzes batches: many outlines of one surface in one call, against single calls and against themselves. */
 #include "api.h"
 
-enum kind { PLANE, SPHERE, EMBEDDED };
 enum { OUTLINES = 72, MOST_CORNERS = 2048, MOST_RANK = 20, RANKS = MOST_RANK + 1 };
 
 /* --- outlines out of bytes ---------------------------------------------------------------------------------------- */
 
 typedef struct bundle {
-    enum kind kind;
+    enum surfmink_kind kind;
     int max_rank;
     size_t count, offset[OUTLINES + 1];
     double corner[3 * MOST_CORNERS], normal[3 * MOST_CORNERS], radius;
@@ -15,7 +14,7 @@ typedef struct bundle {
 
 static size_t dim_of(const bundle *b)
 {
-    return b->kind == PLANE ? 2 : 3;
+    return b->kind == SURFMINK_PLANE ? 2 : 3;
 }
 
 static size_t corners_of(const bundle *b, size_t i)
@@ -45,21 +44,21 @@ static void take_numbers(bytes *in, bundle *b)
 {
     size_t i = add_outline(b, take(in) % 13), k, dim = dim_of(b), end = b->offset[i + 1];
     for (k = dim * b->offset[i]; k < dim * end; ++k) b->corner[k] = take_number(in);
-    for (k = 3 * b->offset[i]; k < 3 * end && b->kind == EMBEDDED; ++k) b->normal[k] = take_number(in);
+    for (k = 3 * b->offset[i]; k < 3 * end && b->kind == SURFMINK_EMBEDDED; ++k) b->normal[k] = take_number(in);
 }
 
 /* A point of a star, on the surface: a sphere about one of the axes, a saddle or a plane in space. */
 static void put(bundle *b, size_t at, size_t axis, double bend, double x, double y)
 {
     double *corner = b->corner + dim_of(b) * at, *normal = b->normal + 3 * at;
-    if (b->kind == PLANE) {
+    if (b->kind == SURFMINK_PLANE) {
         corner[0] = x;
         corner[1] = y;
         return;
     }
     corner[axis] = x;
     corner[(axis + 1) % 3] = y;
-    corner[(axis + 2) % 3] = b->kind == SPHERE ? 1 : bend * (x * x - y * y);
+    corner[(axis + 2) % 3] = b->kind == SURFMINK_SPHERE ? 1 : bend * (x * x - y * y);
     normal[axis] = -2 * bend * x;
     normal[(axis + 1) % 3] = 2 * bend * y;
     normal[(axis + 2) % 3] = 1;
@@ -108,7 +107,7 @@ static void take_bundle(bytes *in, bundle *b)
     size_t count = take(in) % (OUTLINES + 1);
     unsigned how;
     memset(b, 0, sizeof *b);
-    b->kind = (enum kind)(take(in) % 3);
+    b->kind = (enum surfmink_kind)(take(in) % 3);
     b->max_rank = (int)(take(in) % (RANKS + 3)) - 1;
     if (b->max_rank > MOST_RANK) b->max_rank = 12;
     b->radius = take(in) < 16 ? take_number(in) : 1;
@@ -174,6 +173,15 @@ static double *exact_copy(const double *x, size_t count)
     return copy;
 }
 
+static surfmink_outline view_of(const bundle *b, const double *corner, const double *normal, size_t n)
+{
+    switch (b->kind) {
+    case SURFMINK_PLANE: return surfmink_plane(corner, n);
+    case SURFMINK_SPHERE: return surfmink_sphere(corner, n, b->radius);
+    default: return surfmink_embedded(corner, normal, n);
+    }
+}
+
 /* The outlines from `first` on; nothing may be read beyond the last of them. */
 static void measure(const bundle *b, size_t first, size_t count, unsigned asked, int with_scratch, answers *a)
 {
@@ -181,13 +189,10 @@ static void measure(const bundle *b, size_t first, size_t count, unsigned asked,
     double *corner = exact_copy(b->corner, dim_of(b) * offset[count]),
            *normal = exact_copy(b->normal, 3 * offset[count]);
     double *scratch = with_scratch ? (double *)exactly(2 * offset[count] * sizeof(double)) : NULL;
+    surfmink_outline all;
     open_answers(a, count, b->max_rank, asked);
-    if (b->kind == PLANE)
-        a->refused = surfmink_batch_plane(corner, offset, count, b->max_rank, &a->out, scratch);
-    else if (b->kind == SPHERE)
-        a->refused = surfmink_batch_sphere(corner, offset, count, b->radius, b->max_rank, &a->out, scratch);
-    else
-        a->refused = surfmink_batch_embedded(corner, normal, offset, count, b->max_rank, &a->out, scratch);
+    all = view_of(b, corner, normal, offset[count]);
+    a->refused = surfmink_batch(&all, offset, count, b->max_rank, &a->out, scratch);
     if (scratch) CLAIM(is_untouched(scratch, 2 * offset[0] * sizeof(double)));
     free(corner);
     free(normal);
@@ -220,19 +225,10 @@ static int is_delicate(const single *s, size_t n)
 
 static void measure_one(const bundle *b, size_t i, single *s)
 {
-    const double *corner = b->corner + dim_of(b) * b->offset[i], *normal = b->normal + 3 * b->offset[i];
-    size_t n = corners_of(b, i);
-    int edges;
-    if (b->kind == PLANE) {
-        s->status = surfmink_measure_plane(corner, n, b->max_rank, s->mu, s->g, &s->w, &s->bad);
-        edges = surfmink_edges_plane(corner, n, s->length, s->turning, NULL);
-    } else if (b->kind == SPHERE) {
-        s->status = surfmink_measure_sphere(corner, n, b->radius, b->max_rank, s->mu, s->g, &s->w, &s->bad);
-        edges = surfmink_edges_sphere(corner, n, b->radius, s->length, s->turning, NULL);
-    } else {
-        s->status = surfmink_measure_embedded(corner, normal, n, b->max_rank, s->mu, s->g, &s->w, &s->bad);
-        edges = surfmink_edges_embedded(corner, normal, n, s->length, s->turning, NULL);
-    }
+    size_t n = corners_of(b, i), at = b->offset[i];
+    surfmink_outline o = view_of(b, b->corner + dim_of(b) * at, b->normal + 3 * at, n);
+    int edges = surfmink_edges(&o, s->length, s->turning, NULL);
+    s->status = surfmink_measure(&o, b->max_rank, s->mu, s->g, &s->w, &s->bad);
     s->delicate = edges == SURFMINK_OK && is_delicate(s, n);
     if (s->status == SURFMINK_OK) CLAIM(surfmink_spectrum(s->g, b->max_rank, NULL, NULL, s->theta) == SURFMINK_OK);
 }
@@ -241,8 +237,8 @@ static void measure_one(const bundle *b, size_t i, single *s)
 static void claim_area(const bundle *b, const single *s, double area, double c)
 {
     double l = s->w.length, terms = l / 2 * l / 2, unit = b->radius * b->radius;
-    if (b->kind == EMBEDDED) CLAIM(area == 0);
-    if (b->kind == SPHERE && l > b->radius) terms += c * s->w.turning * unit;
+    if (b->kind == SURFMINK_EMBEDDED) CLAIM(same_bits(&area, &s->w.area, sizeof area));
+    if (b->kind == SURFMINK_SPHERE && l > b->radius) terms += c * s->w.turning * unit;
     CLAIM(fabs(area - s->w.area) <= 1e-14 * terms + DBL_MIN);
 }
 
@@ -346,7 +342,7 @@ static int is_sane(const double *x, size_t count)
 static void claim_scaled(const bundle *b, const answers *all)
 {
     static bundle other;
-    const double unit = b->kind == SPHERE ? 1 : 0x1p30;
+    const double unit = b->kind == SURFMINK_SPHERE ? 1 : 0x1p30;
     size_t i, k, dim = dim_of(b);
     answers a;
     other = *b;

@@ -1,5 +1,5 @@
-/* embedded.c - fuzzes what measures polygons on a surface in space: measure, edges, frame, transport of a vector,
-   director. */
+/* embedded.c - fuzzes what measures polygons on a surface in space: measure, edges, area, frame, transport of a
+   vector. */
 #include "outline.h"
 
 static double dot(const double *a, const double *b)
@@ -9,8 +9,9 @@ static double dot(const double *a, const double *b)
 
 static void frames(const outline *o, size_t edge)
 {
+    surfmink_outline view = view_of(o);
     double frame[9] = {-7, -7, -7, -7, -7, -7, -7, -7, -7};
-    int status = surfmink_frame_embedded(o->corner, o->normal, o->n, edge, frame), i, j;
+    int status = surfmink_frame(&view, edge, frame), i, j;
     CLAIM(is_known(status));
     if (status != SURFMINK_OK) {
         for (i = 0; i < 9; ++i) CLAIM(frame[i] == -7);
@@ -23,15 +24,17 @@ static void frames(const outline *o, size_t edge)
 /* A vector that goes round once comes back under the corrected transport, whatever the outline. No vector grows. */
 static void transport(const outline *o, const double *turning, bytes *in)
 {
-    double frame[9], vector[3], there[3] = {-7, -7, -7}, round[3], s = 0, turned = 0;
+    surfmink_outline view = view_of(o);
+    double frame[9], vector[3], there[3], round[3], s = 0, turned = 0;
     size_t from = take(in) % (o->n + 1), i;
     ptrdiff_t steps = (ptrdiff_t)take(in) - 128;
     int how = (int)(take(in) % 4), status, k;
     for (k = 0; k < 3; ++k) vector[k] = take_number(in);
-    status = surfmink_transport_vector(o->corner, o->normal, turning, o->n, from, steps, how, vector, there);
+    memcpy(there, vector, sizeof there);
+    status = surfmink_transport_vector(&view, turning, from, steps, how, there);
     CLAIM(is_known(status));
     if (status != SURFMINK_OK) {
-        CLAIM(there[0] == -7 && there[1] == -7 && there[2] == -7);
+        CLAIM(same_bits(there, vector, sizeof there));
         return;
     }
     CLAIM(from < o->n && how < 3);
@@ -42,19 +45,32 @@ static void transport(const outline *o, const double *turning, bytes *in)
         turned += fabs(turning[i]);
     }
     if (how != SURFMINK_CORRECTED || !(turned < 1e3 * s)) return;
-    CLAIM(surfmink_frame_embedded(o->corner, o->normal, o->n, from, frame) == SURFMINK_OK);
-    status = surfmink_transport_vector(o->corner, o->normal, turning, o->n, from, (ptrdiff_t)o->n, how, frame, round);
+    CLAIM(surfmink_frame(&view, from, frame) == SURFMINK_OK);
+    memcpy(round, frame, sizeof round);
+    status = surfmink_transport_vector(&view, turning, from, (ptrdiff_t)o->n, how, round);
     CLAIM(status == SURFMINK_OK);
     for (k = 0; k < 3; ++k) CLAIM(fabs(round[k] - frame[k]) < 1e-9);
+}
+
+/* An area is finite where it is told, and told of all that is measured. */
+static void areas(const outline *o, const measured *m)
+{
+    surfmink_outline view = view_of(o);
+    double area = -7;
+    int status = surfmink_area(&view, &area);
+    CLAIM(is_known(status));
+    CLAIM(status == SURFMINK_OK ? isfinite(area) : area == -7);
+    if (m->status == SURFMINK_OK) CLAIM(status == SURFMINK_OK && same_bits(&area, &m->w.area, sizeof area));
 }
 
 static void fuzz(bytes in)
 {
     outline o;
     measured m;
-    take_outline(&in, EMBEDDED, &o);
+    take_outline(&in, SURFMINK_EMBEDDED, &o);
     claim_invariants(&o);
     frames(&o, take(&in));
-    if (measure_twice(&o, &m)) transport(&o, m.turning, &in);
-    claim_directors(&o, &in);
+    if (!measure_twice(&o, &m)) return;
+    areas(&o, &m);
+    transport(&o, m.turning, &in);
 }

@@ -20,10 +20,23 @@ static void lonlat(bytes *in)
     CLAIM(fabs(norm / radius - 1) < 1e-15);
 }
 
-/* Twice reversed is what it was; what is merged has no equal neighbours; a smoothed outline keeps its centre. */
+/* Straight distance, in any unit. */
+static int is_near(const double *a, const double *b, size_t stride, double distance)
+{
+    double most = 0, sum = 0;
+    size_t k;
+    for (k = 0; k < stride; ++k) {
+        if (!(fabs(a[k] - b[k]) <= distance)) return 0;
+        most = fmax(most, fabs(a[k] - b[k]));
+    }
+    for (k = 0; k < stride && most > 0; ++k) sum += (a[k] / most - b[k] / most) * (a[k] / most - b[k] / most);
+    return most * sqrt(sum) < distance * (1 - 1e-14) || most == 0;
+}
+
+/* Twice reversed is what it was; what is merged has no neighbours within the distance; a smoothed outline keeps its centre. */
 static void repairs(bytes *in)
 {
-    double corner[3 * CORNERS], normal[3 * CORNERS], copy[3 * CORNERS], before = 0, after = 0, most = 0;
+    double corner[3 * CORNERS], normal[3 * CORNERS], copy[3 * CORNERS], before = 0, after = 0, most = 0, distance = 0;
     size_t n = take(in) % (CORNERS + 1), stride = 1 + take(in) % 3, i, left;
     for (i = 0; i < n * stride; ++i) corner[i] = take_number(in);
     for (i = 0; i < 3 * n; ++i) normal[i] = (double)i;
@@ -38,13 +51,14 @@ static void repairs(bytes *in)
         most += fabs(copy[i]);
     }
     if (most < 1e300) CLAIM(fabs(before - after) <= 1e-13 * most + 1e-300);
-    left = surfmink_merge(copy, normal, n, stride);
+    if (take(in) < 128) distance = fabs(take_number(in));
+    left = surfmink_merge(copy, normal, n, stride, distance);
     CLAIM(left <= n && (left > 0 || n == 0));
     for (i = 0; i < left; ++i) {
-        CLAIM(left == 1 || !surfmink__equal(copy + i * stride, copy + (i + 1 < left ? i + 1 : 0) * stride, stride));
+        CLAIM(left == 1 || !is_near(copy + i * stride, copy + (i + 1 < left ? i + 1 : 0) * stride, stride, distance));
         CLAIM(i == 0 || normal[3 * i] > normal[3 * i - 3]);
     }
-    CLAIM(surfmink_merge(copy, NULL, left, stride) == left);
+    CLAIM(surfmink_merge(copy, NULL, left, stride, distance) == left);
 }
 
 /* Smoothing does not care where an outline begins, which way it runs, or in which unit it is. */
@@ -66,7 +80,8 @@ static void builders(bytes *in)
 {
     double radius = take_number(in), centre[3], corner[3 * CORNERS], untouched[3 * CORNERS];
     double distance = take_number(in), angle = take_number(in), mu[CORNERS + 1];
-    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_outline built;
+    surfmink_surface sphere = surfmink_sphere_surface(&radius);
     size_t n = take(in) % (CORNERS + 1), k;
     int status;
     for (k = 0; k < 3; ++k) centre[k] = take_number(in);
@@ -80,7 +95,8 @@ static void builders(bytes *in)
         CLAIM(all_finite(corner, 3 * n));
     if (status == SURFMINK_OK && fabs(angle) < 7 && radius > 1e-290 && distance > 1e-7 * radius &&
         distance < 1.5 * radius) {
-        status = surfmink_measure_sphere(corner, n, radius, (int)n, mu, NULL, NULL, NULL);
+        built = surfmink_sphere(corner, n, radius);
+        status = surfmink_measure(&built, (int)n, mu, NULL, NULL, NULL);
         CLAIM(status == SURFMINK_NOT_FINITE || (status == SURFMINK_OK && fabs(mu[n] - 1) < 1e-6));
     }
     if (status != SURFMINK_OK) return;

@@ -6,20 +6,18 @@
 
 /* --- outlines ----------------------------------------------------------------------------------------------------- */
 
-enum kind { PLANE, SPHERE, EMBEDDED };
-
 typedef struct outline {
-    enum kind kind;
+    enum surfmink_kind kind;
     size_t n;
     double corner[3 * CORNERS], normal[3 * CORNERS], radius;
 } outline;
 
 static size_t dim_of(const outline *o)
 {
-    return o->kind == PLANE ? 2 : 3;
+    return o->kind == SURFMINK_PLANE ? 2 : 3;
 }
 
-static void take_outline(bytes *in, enum kind kind, outline *o)
+static void take_outline(bytes *in, enum surfmink_kind kind, outline *o)
 {
     double unit = 1;
     size_t i;
@@ -28,30 +26,49 @@ static void take_outline(bytes *in, enum kind kind, outline *o)
     o->radius = 1;
     o->n = take(in) % (CORNERS + 1);
     if (take(in) < 16) unit = take_number(in);
-    if (kind == SPHERE && take(in) < 16) o->radius = take_number(in);
+    if (kind == SURFMINK_SPHERE && take(in) < 16) o->radius = take_number(in);
     for (i = 0; i < dim_of(o) * o->n; ++i) o->corner[i] = unit * take_number(in);
-    for (i = 0; kind == EMBEDDED && i < 3 * o->n; ++i) o->normal[i] = take_number(in);
+    for (i = 0; kind == SURFMINK_EMBEDDED && i < 3 * o->n; ++i) o->normal[i] = take_number(in);
 }
 
+static surfmink_outline view_of(const outline *o)
+{
+    switch (o->kind) {
+    case SURFMINK_PLANE: return surfmink_plane(o->corner, o->n);
+    case SURFMINK_SPHERE: return surfmink_sphere(o->corner, o->n, o->radius);
+    default: return surfmink_embedded(o->corner, o->normal, o->n);
+    }
+}
+
+/* Nothing has been measured yet, or is compared. */
 static int measure_outline(const outline *o, measured *m)
 {
+    surfmink_outline view = view_of(o);
     memset(m, 0x5a, sizeof *m);
-    if (o->kind == PLANE) return surfmink_measure_plane(o->corner, o->n, RANK, m->mu, m->g, &m->w, &m->bad);
-    if (o->kind == SPHERE)
-        return surfmink_measure_sphere(o->corner, o->n, o->radius, RANK, m->mu, m->g, &m->w, &m->bad);
-    return surfmink_measure_embedded(o->corner, o->normal, o->n, RANK, m->mu, m->g, &m->w, &m->bad);
+    return surfmink_measure(&view, RANK, m->mu, m->g, &m->w, &m->bad);
 }
 
-static int measure_edges(const outline *o, measured *m)
+/* One by one the four steps give the same bits, and refuse the same outlines for the same reason. */
+static void claim_steps(const surfmink_outline *view, const measured *m)
 {
-    if (o->kind == PLANE) return surfmink_edges_plane(o->corner, o->n, m->length, m->turning, &m->bad);
-    if (o->kind == SPHERE) return surfmink_edges_sphere(o->corner, o->n, o->radius, m->length, m->turning, &m->bad);
-    return surfmink_edges_embedded(o->corner, o->normal, o->n, m->length, m->turning, &m->bad);
+    double phase[CORNERS], g[2 * RANK + 2], mu[RANK + 1];
+    surfmink_functionals w;
+    int status;
+    memset(&w, 0x5a, sizeof w);
+    status = surfmink_total(view, m->length, m->turning, view->n, &w);
+    CLAIM(status == m->status && same_bits(&w, &m->w, sizeof w));
+    if (status != SURFMINK_OK) return;
+    CLAIM(surfmink_phases(m->turning, view->n, SURFMINK_CORRECTED, phase) == SURFMINK_OK);
+    CLAIM(surfmink_irreducible(m->length, phase, view->n, RANK, g) == SURFMINK_OK);
+    CLAIM(same_bits(g, m->g, sizeof g));
+    CLAIM(surfmink_spectrum(g, RANK, NULL, mu, NULL) == SURFMINK_OK);
+    if (m->w.length > 1e-290) CLAIM(same_bits(mu, m->mu, sizeof mu)); /* else components lose digits, or all */
 }
 
-/* Both doors, and what each of them promises by itself. Returns 0 if there is nothing to compare others with. */
+/* In one call and in four steps, and what each of them promises. Returns 0 if there is nothing to compare others with. */
 static int measure_twice(const outline *o, measured *m)
 {
+    surfmink_outline view = view_of(o);
     measured untouched;
     size_t i;
     int p;
@@ -71,7 +88,7 @@ static int measure_twice(const outline *o, measured *m)
         for (i = 0; i <= RANK; ++i) CLAIM(m->mu[i] >= 0 && m->mu[i] <= 1 + 4 * DBL_EPSILON);
     }
     m->status = p;
-    p = measure_edges(o, m);
+    p = surfmink_edges(&view, m->length, m->turning, &m->bad);
     CLAIM(is_known(p));
     if (p != SURFMINK_OK) {
         CLAIM(m->bad <= o->n);
@@ -82,6 +99,7 @@ static int measure_twice(const outline *o, measured *m)
     }
     CLAIM(all_finite(m->length, o->n) && all_finite(m->turning, o->n));
     for (i = 0; i < o->n; ++i) CLAIM(m->length[i] >= 0 && fabs(m->turning[i]) <= 3.1415926535897936);
+    claim_steps(&view, m);
     return 1;
 }
 
@@ -183,7 +201,7 @@ static void claim_scaled(const outline *o, const measured *a, double by)
     outline other = *o;
     measured b;
     size_t i;
-    double length = o->kind == SPHERE ? 1 : by;
+    double length = o->kind == SURFMINK_SPHERE ? 1 : by;
     if (!scale(&other, 1) || !scale(&other, by)) return;
     if (!measure_twice(&other, &b)) return;
     CLAIM(same_bits(a->turning, b.turning, o->n * sizeof *a->turning));
@@ -221,10 +239,10 @@ static double rounding(const outline *o, const measured *m)
         off = size_of(o->corner + dim * i, dim);
         if (off > most) most = off;
         if (m->length[i] < least) least = m->length[i];
-        if (o->kind == SPHERE && !(m->length[i] < 3 * o->radius)) return 1;
+        if (o->kind == SURFMINK_SPHERE && !(m->length[i] < 3 * o->radius)) return 1;
         if (!(fabs(m->turning[i]) < 3.14)) return 1;
         next = (i + 1) % o->n;
-        for (at = i; o->kind == EMBEDDED; at = next) {
+        for (at = i; o->kind == SURFMINK_EMBEDDED; at = next) {
             upright = 0;
             for (k = 0; k < 3; ++k) {
                 x[k] = o->corner[3 * next + k] - o->corner[3 * i + k];
@@ -236,7 +254,7 @@ static double rounding(const outline *o, const measured *m)
         }
     }
     if (!(worst < 0.99 && least > 0)) return 1; /* a length may be too small for a double */
-    return 4 * DBL_EPSILON * (o->kind == SPHERE ? o->radius / least : most / least) / (1 - worst);
+    return 4 * DBL_EPSILON * (o->kind == SURFMINK_SPHERE ? o->radius / least : most / least) / (1 - worst);
 }
 
 static void claim_turned(const outline *o, const measured *m, double angle)
@@ -290,82 +308,12 @@ static inline void claim_invariants(const outline *o)
         turned += fabs(m.turning[i]);
     }
     CLAIM(fabs(s) <= 1e-14 * (turned + (double)o->n));
-    if (m.status == SURFMINK_OK && m.w.condition < 1e6) CLAIM(b.status == SURFMINK_CLOCKWISE);
+    if (m.status == SURFMINK_OK && m.w.condition < 1e6) /* in space S in [pi, 3 pi] is taken as it is, -S is not */
+        CLAIM(b.status == SURFMINK_CLOCKWISE || (o->kind == SURFMINK_EMBEDDED && b.status == SURFMINK_CROSSES_ITSELF));
 
     mirror(&other); /* counter-clockwise again, seen in a mirror */
     measure_twice(&other, &b);
     claim_alike(&m, &b);
-}
-
-/* --- the centre --------------------------------------------------------------------------------------------------- */
-
-typedef struct middle {
-    double centre[3], normal[3], direction[3 * (RANK + 1)], coherence[RANK + 1];
-} middle;
-
-static inline int find_middle(const outline *o, const double *length, const double *phase, const double *g, int rank,
-                              middle *m)
-{
-    double scratch[CORNERS];
-    memset(m, 0x5a, sizeof *m);
-    if (o->kind == PLANE)
-        return surfmink_director_plane(o->corner, o->n, length, phase, g, rank, scratch, m->centre, m->direction,
-                                       m->coherence);
-    if (o->kind == SPHERE)
-        return surfmink_director_sphere(o->corner, o->n, length, phase, g, rank, scratch, m->normal, m->direction,
-                                        m->coherence);
-    return surfmink_director_embedded(o->corner, o->normal, o->n, length, phase, g, rank, scratch, m->centre, m->normal,
-                                      m->direction, m->coherence);
-}
-
-/* Unit vectors in the tangent plane, and edges that agree more or less, whatever the lengths and phases. */
-static inline int claim_middle(const outline *o, const double *length, const double *phase, const double *g, int rank)
-{
-    middle m;
-    size_t k, dim = dim_of(o);
-    double size, upright;
-    int p, status = find_middle(o, length, phase, g, rank, &m);
-    CLAIM(is_known(status));
-    if (status != SURFMINK_OK) {
-        CLAIM(is_untouched(&m, sizeof m));
-        return status;
-    }
-    CLAIM(rank >= 0 && m.coherence[0] == 1);
-    if (o->kind != SPHERE) CLAIM(all_finite(m.centre, dim));
-    for (p = 0; p <= rank; ++p) {
-        size = upright = 0;
-        for (k = 0; k < dim; ++k) {
-            size += m.direction[dim * (size_t)p + k] * m.direction[dim * (size_t)p + k];
-            if (dim == 3) upright += m.direction[dim * (size_t)p + k] * m.normal[k];
-        }
-        CLAIM(m.coherence[p] >= 0 && m.coherence[p] <= 1);
-        CLAIM(fabs(size - (p > 0)) < 1e-8 && fabs(upright) < 1e-8);
-    }
-    return status;
-}
-
-/* The steps of the outline itself, and others that have nothing to do with it. */
-static inline void claim_directors(const outline *o, bytes *in)
-{
-    double length[CORNERS], phase[CORNERS], g[2 * RANK + 2];
-    measured m;
-    middle centre;
-    size_t i;
-    int rank = (int)(take(in) % (RANK + 2)) - 1, p;
-    if (measure_twice(o, &m) && surfmink_phases(m.turning, o->n, SURFMINK_CORRECTED, phase) == SURFMINK_OK &&
-        surfmink_irreducible(m.length, phase, o->n, RANK, g) == SURFMINK_OK) {
-        p = claim_middle(o, m.length, phase, g, rank);
-        if (o->kind == PLANE && m.status == SURFMINK_OK && !has_spike(o, &m) && rank >= 0) {
-            CLAIM(p == SURFMINK_OK && find_middle(o, m.length, phase, g, rank, &centre) == SURFMINK_OK);
-            for (; rank > 0; --rank) CLAIM(centre.coherence[rank] >= 1 - 1e-13 * (1 + m.w.condition));
-        }
-    }
-    for (i = 0; i < CORNERS; ++i) {
-        length[i] = take_number(in);
-        phase[i] = take_number(in);
-    }
-    for (i = 0; i < 2 * RANK + 2; ++i) g[i] = take_number(in);
-    claim_middle(o, length, phase, g, rank);
 }
 
 #endif

@@ -1,5 +1,4 @@
-/* sphere.c - fuzzes what measures polygons of the sphere: measure, edges, area, director; log, exp, and both as
-   callbacks. */
+/* sphere.c - fuzzes what measures polygons of the sphere: measure, edges, area, frame; log, exp, and both as callbacks. */
 #include "outline.h"
 
 static double dot(const double a[3], const double b[3])
@@ -37,15 +36,16 @@ static void log_and_exp(const outline *o, double radius)
 /* The general door and the door for spheres are the same house. */
 static void as_callbacks(outline *o)
 {
-    surfmink_surface sphere = surfmink_sphere(&o->radius);
-    double mu[RANK + 1], scratch[2 * CORNERS], loose;
+    surfmink_surface sphere = surfmink_sphere_surface(&o->radius);
+    surfmink_outline called = surfmink_on_surface(&sphere, o->corner, o->n), direct = view_of(o);
+    double mu[RANK + 1], loose;
     measured m;
     size_t i;
     int status, p;
-    status = surfmink_measure_surface(&sphere, o->corner, o->n, scratch, RANK, mu, NULL, NULL, &m.bad);
+    status = surfmink_measure(&called, RANK, mu, NULL, NULL, &m.bad);
     CLAIM(is_known(status));
     if (!(o->radius > 1e-290 && o->radius < 1e290)) return; /* lengths under- or overflow */
-    for (i = 0; i < o->n && measure_edges(o, &m) == SURFMINK_OK; ++i)
+    for (i = 0; i < o->n && surfmink_edges(&direct, m.length, m.turning, NULL) == SURFMINK_OK; ++i)
         if (!(m.length[i] > DBL_MIN)) return; /* so it is for a single one */
     if (!measure_twice(o, &m) || m.status != SURFMINK_OK || has_spike(o, &m) || m.w.condition > 1e5) return;
     CLAIM(status == SURFMINK_OK);
@@ -54,17 +54,32 @@ static void as_callbacks(outline *o)
     for (p = 0; p <= RANK && loose < 0.1; ++p) CLAIM(fabs(mu[p] - m.mu[p]) <= loose);
 }
 
+/* Right-handed and orthonormal, along the edge. */
+static void frames(const outline *o, size_t edge)
+{
+    surfmink_outline view = view_of(o);
+    double frame[9] = {-7, -7, -7, -7, -7, -7, -7, -7, -7};
+    int status = surfmink_frame(&view, edge, frame), i, j;
+    CLAIM(is_known(status));
+    for (i = 0; i < 9 && status != SURFMINK_OK; ++i) CLAIM(frame[i] == -7);
+    if (status != SURFMINK_OK) return;
+    for (i = 0; i < 3; ++i)
+        for (j = 0; j <= i; ++j) CLAIM(fabs(dot(frame + 3 * i, frame + 3 * j) - (i == j)) < 1e-14);
+}
+
 static void fuzz(bytes in)
 {
     outline o;
+    surfmink_outline view;
     double area = -7;
     int status;
-    take_outline(&in, SPHERE, &o);
+    take_outline(&in, SURFMINK_SPHERE, &o);
+    view = view_of(&o);
     claim_invariants(&o);
-    status = surfmink_area_sphere(o.corner, o.n, o.radius, &area);
+    status = surfmink_area(&view, &area);
     CLAIM(is_known(status));
     CLAIM(status == SURFMINK_OK ? isfinite(area) : area == -7);
     log_and_exp(&o, o.radius);
     as_callbacks(&o);
-    claim_directors(&o, &in);
+    frames(&o, take(&in));
 }

@@ -9,7 +9,7 @@ static double turned; /* sum |turning| */
 static void totals(void)
 {
     surfmink_functionals w = {-7, -7, -7, -7, -7};
-    int status = surfmink_total(length, turning, n, &w);
+    int status = surfmink_total(NULL, length, turning, n, &w);
     CLAIM(is_known(status));
     if (status != SURFMINK_OK)
         CLAIM(w.area == -7 && w.length == -7 && w.turning == -7 && w.condition == -7);
@@ -47,7 +47,8 @@ static void phases_and_transport(bytes *in)
 static double amplification(void)
 {
     surfmink_functionals w;
-    if (surfmink_total(length, turning, n, &w) != SURFMINK_OK || !(w.length < 1e300 && w.length > 1e-290)) return 0;
+    if (surfmink_total(NULL, length, turning, n, &w) != SURFMINK_OK || !(w.length < 1e300 && w.length > 1e-290))
+        return 0;
     return w.condition + fabs(w.curvature) / w.turning;
 }
 
@@ -77,7 +78,8 @@ static void invariants(bytes *in)
         CLAIM(mu[p] >= 0 && mu[p] <= 1 + 4 * DBL_EPSILON);
         CLAIM(fabs(mu[p] - other[p]) <= loose);
     }
-    CLAIM(surfmink_total(length, turning, n, &w) == SURFMINK_OK && surfmink_total(l, alpha, n, &v) == SURFMINK_OK);
+    CLAIM(surfmink_total(NULL, length, turning, n, &w) == SURFMINK_OK &&
+          surfmink_total(NULL, l, alpha, n, &v) == SURFMINK_OK);
     CLAIM(fabs(w.length - v.length) <= 1e-15 * w.length && fabs(w.turning - v.turning) <= 1e-15 * c * w.turning);
     if (!(least > 1e-100 && w.length < 1e100)) return;
     for (i = 0; i < n; ++i) l[i] = 0x1p70 * length[i];
@@ -97,7 +99,7 @@ static void reversed(void)
         l[i] = length[n - 1 - i];
         alpha[i] = -turning[n - 1 - i];
     }
-    CLAIM(surfmink_total(l, alpha, n, &w) == SURFMINK_CLOCKWISE);
+    CLAIM(surfmink_total(NULL, l, alpha, n, &w) == SURFMINK_CLOCKWISE);
 }
 
 static void components(bytes *in)

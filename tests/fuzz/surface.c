@@ -70,9 +70,9 @@ static int plane_exp(void *context, const double *x, const double direction[2], 
 
 static void measure_plane_surface(const surfmink_surface *plane, const outline *o, measured *m)
 {
-    double scratch[2 * CORNERS];
+    surfmink_outline view = surfmink_on_surface(plane, o->corner, o->n);
     memset(m, 0x5a, sizeof *m);
-    m->status = surfmink_measure_surface(plane, o->corner, o->n, scratch, RANK, m->mu, m->g, &m->w, &m->bad);
+    m->status = surfmink_measure(&view, RANK, m->mu, m->g, &m->w, &m->bad);
     CLAIM(is_known(m->status));
     if (m->status != SURFMINK_OK) CLAIM(is_untouched(m->mu, sizeof m->mu) && is_untouched(&m->w, sizeof m->w));
 }
@@ -105,6 +105,7 @@ static void build_on_plane(const surfmink_surface *plane, const outline *o, byte
     double point[2 * CORNERS], distance = take_number(in), angle = take_number(in), mu[CORNERS + 1], size, off;
     size_t n = take(in) % (CORNERS + 1), i;
     const double *x = o->corner, *y = o->corner + 2;
+    surfmink_outline built;
     int status;
     memset(point, 0x5a, sizeof point);
     status = surfmink_regular_polygon(plane, x, distance, angle, n, point);
@@ -112,7 +113,8 @@ static void build_on_plane(const surfmink_surface *plane, const outline *o, byte
     if (status != SURFMINK_OK) CLAIM(is_untouched(point, sizeof point));
     size = fabs(x[0]) + fabs(x[1]);
     if (status == SURFMINK_OK && is_tame(&distance, 1) && distance > 1e-3 * size && fabs(angle) < 1e3) {
-        CLAIM(surfmink_measure_plane(point, n, (int)n, mu, NULL, NULL, NULL) == SURFMINK_OK);
+        built = surfmink_plane(point, n);
+        CLAIM(surfmink_measure(&built, (int)n, mu, NULL, NULL, NULL) == SURFMINK_OK);
         CLAIM(fabs(mu[n] - 1) < 1e-9);
     }
     memset(point, 0x5a, sizeof point);
@@ -137,7 +139,7 @@ static void on_plane(bytes *in)
     plane.stride = 2;
     plane.log = plane_log;
     plane.exp = plane_exp;
-    take_outline(in, PLANE, &o);
+    take_outline(in, SURFMINK_PLANE, &o);
     as_plane(&plane, &o, take(in));
     build_on_plane(&plane, &o, in);
 }
@@ -146,8 +148,9 @@ static void on_plane(bytes *in)
 
 static void fuzz(bytes in)
 {
-    double corner[2 * CORNERS] = {0}, scratch[2 * CORNERS], point[2 * CORNERS], untouched[2 * CORNERS];
+    double corner[2 * CORNERS] = {0}, point[2 * CORNERS], untouched[2 * CORNERS];
     surfmink_surface surface;
+    surfmink_outline view = surfmink_on_surface(&surface, corner, 0);
     measured m, blank;
     size_t n = take(&in) % (CORNERS + 1), i;
     unsigned which = take(&in);
@@ -161,20 +164,25 @@ static void fuzz(bytes in)
     if (surface.stride > 0 && surface.stride <= 16) surface.stride = 2; /* what the callbacks write */
     surface.log = which & 6 ? some_log : NULL;
     surface.exp = which & 24 ? some_exp : NULL;
+    view.n = n;
     memset(&m, 0x5a, sizeof m);
     memset(&blank, 0x5a, sizeof blank);
     memset(untouched, 0x5a, sizeof untouched);
     memset(point, 0x5a, sizeof point);
     if (which & 64) {
         m.status = blank.status;
-        status = surfmink_measure_surface(&surface, corner, n, scratch, RANK, m.mu, m.g, &m.w, &m.bad);
+        status = surfmink_measure(&view, RANK, m.mu, m.g, &m.w, &m.bad);
     } else {
-        status = surfmink_edges_surface(&surface, corner, n, scratch, m.length, m.turning, &m.bad);
+        status = surfmink_edges(&view, m.length, m.turning, &m.bad);
     }
     CLAIM(is_known(status));
     if (status != SURFMINK_OK) {
         CLAIM(m.bad <= n);
         m.bad = blank.bad;
+        if (!(which & 64)) { /* a callback that failed half-way: part of the edges may stand there */
+            memcpy(m.length, blank.length, sizeof m.length);
+            memcpy(m.turning, blank.turning, sizeof m.turning);
+        }
         CLAIM(same_bits(&m, &blank, sizeof m));
     } else if (which & 64) {
         for (i = 0; i <= RANK; ++i) CLAIM(m.mu[i] >= 0 && m.mu[i] <= 1 + 4 * DBL_EPSILON);
