@@ -284,7 +284,7 @@ typedef struct surfmink_gradient__edges {
     const double *length, *by_length, *by_turning, *step;
 } surfmink_gradient__edges;
 
-/* The edge e from x to y of the plane gets (V + i (A_x - A_y) / l) e / l, as complex numbers; y gets that, x minus it. */
+/* The edge e from x to y of the plane gets (V + i (A_x - A_y) / l) e / l, a complex number; y gets that, x minus it. */
 static inline void surfmink_gradient__plane(const surfmink_outline *o, const surfmink_gradient__edges *by,
                                             double *by_corner)
 {
