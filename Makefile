@@ -1,7 +1,7 @@
 # surfmink is one header: copy surfmink.h, there is nothing to build. This file builds what stands around it.
 #
 #   make            the commands: surfmink levelset outlines patic tissue relax, in .build/
-#   make demo       measures countries, the H3 grid and a tissue; pictures in .build/demo/
+#   make demo       measures countries, the H3 grid, a tissue and an image; pictures in .build/demo/
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make pictures   the pictures of docs/theory.md, and the numbers behind them, in .build/pictures/
 #   make playground  docs/playground.html, a page to play with; needs clang and lld
@@ -81,15 +81,14 @@ $(BUILD)/theory_%: examples/theory/%.c $(BUILD)/surfmink.o $(headers)
 
 shared: $(BUILD)/$(library)
 
-$(BUILD)/$(library): surfmink.h
+$(BUILD)/$(library): examples/languages/flat.c examples/languages/flat.h surfmink.h $(wildcard examples/beyond/*.h)
 	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -fPIC -fvisibility=hidden -DSURFMINK_IMPLEMENTATION \
-	  '-DSURFMINK_DEF=__attribute__((visibility("default"))) extern' $(LIBRARY_FLAGS) -x c $< -x none -o $@ \
-	  $(LDFLAGS) $(LDLIBS)
+	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) -fPIC -fvisibility=hidden \
+	  '-DSURFMINK_DEF=__attribute__((visibility("default"))) extern' $(LIBRARY_FLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 	ln -sf $(library) $(BUILD)/$(library_abi)
 	ln -sf $(library_abi) $(BUILD)/$(library_link)
 
-demo: $(BUILD)/surfmink
+demo: $(BUILD)/surfmink $(BUILD)/outlines $(BUILD)/image/rasterise
 	@sh examples/demo.sh $(BUILD)/surfmink $(BUILD)/demo
 
 paper: $(experiments)
@@ -112,7 +111,7 @@ $(BUILD)/playground.html: surfmink.h $(wildcard examples/playground/* examples/p
 playground: $(BUILD)/playground.html
 	cp $(BUILD)/playground.html docs/playground.html
 
-test: all $(theorems) $(theories)
+test: all $(theorems) $(theories) $(BUILD)/image/rasterise
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
 	  "sh tests/test_pictures.sh $(BUILD)/surfmink" \

@@ -72,7 +72,7 @@ static const char *const help[] = {
 
 static int complain(const char *what, const char *about)
 {
-    image_error line;
+    image_error line = {""};
     image_fail(&line, NULL, "outlines: %s%s%.100s (outlines --help shows examples)", what, about ? ": " : "",
                about ? about : "");
     fprintf(stderr, "%s\n", line.text);
@@ -369,7 +369,7 @@ static int paint_all(run *r, image_error *error)
 
 static void end_run(run *r)
 {
-    image_error ignored;
+    image_error ignored = {""};
     image_free(&r->labels);
     image_free(&r->positions);
     image_free(&r->normals);
@@ -385,7 +385,7 @@ static void end_run(run *r)
 static int run_all(const options *o)
 {
     run r;
-    image_error error;
+    image_error error = {""};
     size_t dropped = 0;
     int good;
     memset(&r, 0, sizeof r);

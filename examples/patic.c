@@ -24,9 +24,7 @@
 #include <unistd.h>
 #endif
 
-#ifndef SURFMINK_IMPLEMENTATION
 #define SURFMINK_IMPLEMENTATION
-#endif
 #include "../surfmink.h"
 
 #include "command/options.h"
@@ -236,7 +234,7 @@ static int take_own_option(request *q, char **argument, char **passed, int *coun
     return valued && !equals ? 2 : 1;
 }
 
-static void check_request(const request *q, int summary)
+static void check_request(const request *q)
 {
     const char *file[3];
     static const char *const name[3] = {"defects", "correlation", "svg"};
@@ -244,7 +242,6 @@ static void check_request(const request *q, int summary)
     file[0] = q->defects;
     file[1] = q->correlation;
     file[2] = q->reading.svg;
-    (void)summary;
     if (q->rank == 0) wrong_usage("--rank is missing: 2 for elongation, 4 for squares, 6 for hexagons");
     if (q->reading.files > 1) wrong_usage("one FILE at a time: a tissue is one file");
     for (i = 0; i < 3; ++i) {
@@ -281,7 +278,7 @@ static void parse_request(request *q, int argc, char **argv)
     parse_options(&q->reading, count, passed);
     q->reading.summary = summary;
     free(passed);
-    check_request(q, summary);
+    check_request(q);
 }
 
 /* --- 1. read ------------------------------------------------------------------------------------------------------ */
@@ -311,9 +308,8 @@ static void add_outline(outlines *all, const polygon *p)
     all->offset[++all->cells] = all->corners = end;
 }
 
-static void check_file(const request *q, const reader *in, const char *name, const char *option, const char *file)
+static void check_file(const reader *in, const char *name, const char *option, const char *file)
 {
-    (void)q;
     if (file && is_same_file(file, in->in.file, name)) die("%s: --%s would overwrite it", name, option);
 }
 
@@ -327,8 +323,8 @@ static void read_outlines(outlines *all, const request *q)
     memset(&p, 0, sizeof p);
     prepare_powers(&powers);
     open_reader(&in, name, &powers, &q->reading);
-    check_file(q, &in, name, "defects", q->defects);
-    check_file(q, &in, name, "correlation", q->correlation);
+    check_file(&in, name, "defects", q->defects);
+    check_file(&in, name, "correlation", q->correlation);
     all->surface = in.surface;
     if (q->reading.radius > 0 && in.surface != SPHERE)
         die("%s: --sphere-radius is for spheres, and this is none", name);
@@ -473,13 +469,11 @@ static void warn_if_too_coarse(const request *q, const outlines *all, const pati
     }
 }
 
-static totals find_defects(const request *q, const outlines *all, patic *t, double radius, const double *z,
-                           double *order)
+static totals find_defects(const request *q, patic *t, double radius, const double *z, double *order)
 {
     if (patic_coarsen(t, q->rank, radius, z, order) != SURFMINK_OK || patic_charges(t, q->rank, order) != SURFMINK_OK)
         die("patic: cannot measure the field");
     patic_defects(t, order);
-    warn_if_too_coarse(q, all, t);
     return add_up(t, radius, order);
 }
 
@@ -644,7 +638,8 @@ int main(int argc, char **argv)
     if (patic_field(&t, q.rank, z, mu) != SURFMINK_OK) die("patic: cannot measure the field");
     if (q.radii > 1) puts("radius\tcells\tcomponents\tchi\tloops\tcharges\tboundary\tplus\tminus\tmargin\torder");
     for (i = 0; i < q.radii; ++i) {
-        totals sum = find_defects(&q, &all, &t, length_of(&q.radius[i], &t), z, order);
+        totals sum = find_defects(&q, &t, length_of(&q.radius[i], &t), z, order);
+        if (i == 0) warn_if_too_coarse(&q, &all, &t); /* so it is at every radius: steps cancel */
         if (q.radii > 1) write_scan_line(&q, &t, &sum);
         if (q.reading.summary) write_summary_of(&q, &t, &sum);
     }

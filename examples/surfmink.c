@@ -11,7 +11,7 @@
      3 measure  a batch -> L, S, area, mu, theta of each polygon          command/measure.h
      4 write    -> one line of a table, or a JSON object, for each        command/write.h refusal.h
      5 at the end, if asked for: a summary, pictures, polygons in space   command/summary.h picture.h svg.h map.h
-                                                                          horizon.h chart.h ply.h
+                                                                          horizon.h chart.h ply.h; picture/
    A batch is measured when it is full, when the file ends, when the input pauses, and before any complaint. */
 
 /* Only for isatty, read, poll and stat: to tell a terminal from a file, to take what a pipe holds, to know a file by

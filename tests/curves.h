@@ -1,12 +1,13 @@
 /* curves.h - do estimates of errors hold? Random smooth curves on all surfaces, and what curve.h says of them. Include
    it after surfmink.h.
 
-   Two sets of families of curves. With the first one the rules of the estimate were found; the second one, drawn and cut
-   into edges otherwise, was first looked at when the rules stood. */
+   Two sets of families of curves. With the first one the rules of the estimate were found; the second one, drawn and
+   cut into edges otherwise, was first looked at when the rules stood. */
 #ifndef CURVES_H
 #define CURVES_H
 
 #include "../examples/beyond/curve.h"
+#include "../examples/surfaces/ellipsoid.h"
 #include "shapes.h"
 
 #include <stdlib.h>
@@ -22,20 +23,27 @@ enum curve_place {
     PLACE_TORUS,
     PLACE_HYPERBOLIC,
     PLACE_SPHERE_CALLBACKS,
+    PLACE_ELLIPSOID_CALLBACKS,
     PLACES
 };
-static const char *const place_name[PLACES] = {
-    "plane", "sphere", "sphere, chords", "ellipsoid", "torus", "hyperbolic plane, callbacks", "sphere, callbacks"};
+static const char *const place_name[PLACES] = {"plane",
+                                               "sphere",
+                                               "sphere, chords",
+                                               "ellipsoid",
+                                               "torus",
+                                               "hyperbolic plane, callbacks",
+                                               "sphere, callbacks",
+                                               "ellipsoid, callbacks"};
 
-typedef struct curve {
+typedef struct random_curve {
     int set, family, place, cut;
     double a[21], b[21]; /* of the family */
     double size, angle, u, v, skew, start;
-} curve;
+} random_curve;
 
 /* --- shapes of size 1 about the origin ---------------------------------------------------------------------------- */
 
-static inline void curve_shape_found_with(const curve *c, double t, double *x, double *y)
+static inline void curve_shape_found_with(const random_curve *c, double t, double *x, double *y)
 {
     double r = 1;
     int k;
@@ -52,7 +60,7 @@ static inline void curve_shape_found_with(const curve *c, double t, double *x, d
     *y = r * sin(t);
 }
 
-static inline void curve_shape_judged_by(const curve *c, double t, double *x, double *y)
+static inline void curve_shape_judged_by(const random_curve *c, double t, double *x, double *y)
 {
     double r = 1, s = sin(2 * t), k = c->a[1];
     switch (c->family) {
@@ -70,9 +78,9 @@ static inline void curve_shape_judged_by(const curve *c, double t, double *x, do
     }
 }
 
-static inline curve some_curve(chance *luck, int set, int place)
+static inline random_curve some_curve(chance *luck, int set, int place)
 {
-    curve c;
+    random_curve c;
     int k;
     memset(&c, 0, sizeof c);
     c.set = set;
@@ -108,7 +116,7 @@ static inline curve some_curve(chance *luck, int set, int place)
 
 /* --- on surfaces, cut into edges ---------------------------------------------------------------------------------- */
 
-static inline void curve_at(const curve *c, double t, double *corner, double *normal)
+static inline void curve_at(const random_curve *c, double t, double *corner, double *normal)
 {
     static const chart chart_of[SETS][3] = {{{ELLIPSOID, 1, 1, 1}, {ELLIPSOID, 1.6, 1.3, 1}, {TORUS, 2, 0.8, 0}},
                                             {{ELLIPSOID, 1, 1, 1}, {ELLIPSOID, 1, 1.5, 0.8}, {TORUS, 1.5, 0.7, 0}}};
@@ -123,13 +131,14 @@ static inline void curve_at(const curve *c, double t, double *corner, double *no
         corner[0] = a * (c->place == PLACE_PLANE ? 1 : 0.7); /* all within the unit disk */
         corner[1] = b * (c->place == PLACE_PLANE ? 1 : 0.7);
     } else {
-        int which = c->place == PLACE_ELLIPSOID ? 1 : c->place == PLACE_TORUS ? 2 : 0;
+        int on_ellipsoid = c->place == PLACE_ELLIPSOID || c->place == PLACE_ELLIPSOID_CALLBACKS;
+        int which = on_ellipsoid ? 1 : c->place == PLACE_TORUS ? 2 : 0;
         chart_point(&chart_of[c->set][which], c->u + a, c->v + b, corner, normal, NULL, NULL);
     }
 }
 
 /* n corners: smoothly graded, by chance, or alternating. */
-static inline void curve_points(const curve *c, size_t n, chance *luck, double *corner, double *normal)
+static inline void curve_points(const random_curve *c, size_t n, chance *luck, double *corner, double *normal)
 {
     size_t i, dim = c->place == PLACE_PLANE || c->place == PLACE_HYPERBOLIC ? 2 : 3;
     double off = c->set == FOUND_WITH ? 0.3 : 0.35, s;
@@ -146,38 +155,54 @@ static inline void curve_points(const curve *c, size_t n, chance *luck, double *
 
 static inline int curve_curvature(void *context, const double *x, double *curvature)
 {
-    (void)x;
-    *curvature = context ? 1 : -1;
-    return SURFMINK_OK;
+    return surfmink_implicit_curvature((const surfmink_implicit *)context, x, curvature);
 }
 
-static inline int curve_measure(const curve *c, size_t n, int order, double *corner, double *normal, double *scratch,
-                                const surfmink_curve_results *out)
+static inline int curve_measure(const random_curve *c, size_t n, int order, double *corner, double *normal,
+                                double *scratch, const surfmink_curve_results *out)
 {
-    static double one = 1;
+    static const double axis[SETS][3] = {{1.6, 1.3, 1}, {1, 1.5, 0.8}}, sphere[3] = {1, 1, 1};
+    surfmink_implicit body = surfmink_ellipsoid(c->place == PLACE_ELLIPSOID_CALLBACKS ? axis[c->set] : sphere);
     surfmink_curve_options options = {0, NULL, 0, NULL};
-    surfmink_surface surface = c->place == PLACE_HYPERBOLIC ? hyperbolic_plane() : surfmink_sphere_surface(&one);
+    surfmink_surface surface = surfmink_implicit_surface(&body);
+    double one = 1;
     surfmink_outline o = surfmink_embedded(corner, normal, n);
     options.order = order;
     if (c->place == PLACE_PLANE) o = surfmink_plane(corner, n);
     if (c->place == PLACE_SPHERE) o = surfmink_sphere(corner, n, 1);
-    if (c->place == PLACE_HYPERBOLIC) options.curvature = -1;
-    if (c->place == PLACE_SPHERE_CALLBACKS) options.curvature_at = curve_curvature;
-    if (c->place == PLACE_HYPERBOLIC || c->place == PLACE_SPHERE_CALLBACKS)
-        o = surfmink_on_surface(&surface, corner, n);
+    if (c->place == PLACE_HYPERBOLIC) {
+        surface = hyperbolic_plane();
+        options.curvature = -1;
+    }
+    if (c->place == PLACE_SPHERE_CALLBACKS) {
+        surface = surfmink_sphere_surface(&one);
+        options.curvature = 1;
+    }
+    if (c->place == PLACE_ELLIPSOID_CALLBACKS) options.curvature_at = curve_curvature;
+    if (c->place >= PLACE_HYPERBOLIC) o = surfmink_on_surface(&surface, corner, n);
     return surfmink_curve(&o, &options, CURVE_RANKS, scratch, out, NULL);
 }
 
 /* --- how often do estimates hold? --------------------------------------------------------------------------------- */
 
-enum { FEWEST_CORNERS = 20, CORNER_RANGES = 5, MOST_CORNERS = 1000 };
+enum { CORNER_RANGES = 5 };
 static const size_t corner_range[CORNER_RANGES + 1] = {20, 34, 60, 120, 300, 1001};
 
-/* Errors over estimates, of L and mu, of orders 2 and 4; the last range is all of them. */
+/* Errors over estimates, of L and mu_1 .. mu_6. */
 typedef struct estimates {
-    size_t all, known, within, within_three, within_ten, kept, room;
+    size_t all, known, within, within_three, kept, room;
     double worst, *ratio;
 } estimates;
+
+static inline void estimate_keep(estimates *e, double ratio)
+{
+    if (e->kept == e->room) {
+        e->room = 2 * e->room + 1000;
+        e->ratio = (double *)realloc(e->ratio, e->room * sizeof *e->ratio);
+        if (!e->ratio) abort();
+    }
+    e->ratio[e->kept++] = ratio;
+}
 
 static inline void estimate_counts(estimates *e, double off, double error)
 {
@@ -187,14 +212,20 @@ static inline void estimate_counts(estimates *e, double off, double error)
     ++e->known;
     e->within += ratio <= 1;
     e->within_three += ratio <= 3;
-    e->within_ten += ratio <= 10;
     if (!(ratio <= e->worst)) e->worst = ratio;
-    if (e->kept == e->room) {
-        e->room = 2 * e->room + 1000;
-        e->ratio = (double *)realloc(e->ratio, e->room * sizeof *e->ratio);
-        if (!e->ratio) abort();
-    }
-    e->ratio[e->kept++] = ratio;
+    estimate_keep(e, ratio);
+}
+
+/* Of some ranges or surfaces together. */
+static inline void estimate_add(estimates *sum, const estimates *e)
+{
+    size_t i;
+    sum->all += e->all;
+    sum->known += e->known;
+    sum->within += e->within;
+    sum->within_three += e->within_three;
+    if (!(e->worst <= sum->worst)) sum->worst = e->worst;
+    for (i = 0; i < e->kept; ++i) estimate_keep(sum, e->ratio[i]);
 }
 
 static inline int estimate_order(const void *a, const void *b)
@@ -203,33 +234,35 @@ static inline int estimate_order(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Half of the errors are above so much of their estimates. */
 static inline double estimate_median(estimates *e)
 {
     qsort(e->ratio, e->kept, sizeof *e->ratio, estimate_order);
     return e->kept ? e->ratio[e->kept / 2] : 0;
 }
 
-/* Measures one curve in 2048 and 4096 corners of order 4, from which the truth follows to sixth order, and in 20 to 1000
-   with estimates. Counts what was refused. */
-static inline int estimate_curve(chance *luck, int set, int place, estimates e[2][CORNER_RANGES + 1])
+/* Measures one curve in 2048 and 4096 corners of order 4, from which the truth follows to sixth order, and in 20 to
+   1000 with estimates. Returns how many of these were refused. */
+static inline int estimate_curve(chance *luck, int set, int place, estimates e[2][CORNER_RANGES])
 {
     static double corner[3 * CURVE_FINEST], normal[3 * CURVE_FINEST],
         scratch[SURFMINK_CURVE_SCRATCH(CURVE_FINEST, CURVE_RANKS)];
-    curve c = some_curve(luck, set, place), smooth = c;
+    random_curve c = some_curve(luck, set, place), smooth = c;
     chance cut = {chance_bits(luck)};
     double truth[2][CURVE_RANKS + 1], mu[CURVE_RANKS + 1], error[CURVE_RANKS + 1], exact;
-    size_t n = (size_t)magnitude(luck, FEWEST_CORNERS, MOST_CORNERS + 1), range = 0;
+    size_t n = (size_t)magnitude(luck, (double)corner_range[0], (double)corner_range[CORNER_RANGES]), range = 0;
     surfmink_functionals w;
     surfmink_curve_results out = {NULL, NULL, NULL, NULL};
     int fine, order, p, refused = 0;
     out.mu = mu;
     out.w = &w;
+    if (place == PLACE_ELLIPSOID_CALLBACKS) smooth.place = PLACE_ELLIPSOID; /* the same curve, and quicker */
     smooth.cut = 0;
     smooth.skew = 0;
     for (fine = 0; fine < 2; ++fine) {
         curve_points(&smooth, CURVE_FINEST / (size_t)(2 - fine), &cut, corner, normal);
         refused +=
-            curve_measure(&c, CURVE_FINEST / (size_t)(2 - fine), 4, corner, normal, scratch, &out) != SURFMINK_OK;
+            curve_measure(&smooth, CURVE_FINEST / (size_t)(2 - fine), 4, corner, normal, scratch, &out) != SURFMINK_OK;
         memcpy(truth[fine], mu, sizeof mu);
         truth[fine][0] = w.length;
     }
@@ -243,7 +276,6 @@ static inline int estimate_curve(chance *luck, int set, int place, estimates e[2
             if (p == 1 && place == PLACE_PLANE) continue; /* mu_1 is 0 there, and no news */
             exact = truth[1][p] + (truth[1][p] - truth[0][p]) / 15;
             estimate_counts(&e[order / 4][range], fabs(mu[p] - exact) / (p == 0 ? exact : 1), error[p]);
-            estimate_counts(&e[order / 4][CORNER_RANGES], fabs(mu[p] - exact) / (p == 0 ? exact : 1), error[p]);
         }
     }
     return refused;

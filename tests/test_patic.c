@@ -556,7 +556,7 @@ THEOREM(a_slow_reference_agrees_on_random_tissues)
         CHECK_OK(patic_coarsen(&b.t, p, radius, b.z, b.coarse));
         for (i = 0; i < s.cells; i += 3) {
             real want[2];
-            ref_coarse(&r, p, i, radius, want);
+            ref_coarse(&r, p, i, (real)radius, want);
             CHECK_NEAR(b.coarse[2 * i], (double)want[0], 1e-12);
             CHECK_NEAR(b.coarse[2 * i + 1], (double)want[1], 1e-12);
         }
@@ -987,7 +987,7 @@ THEOREM(pentagons_are_cores_of_one_sixth)
 THEOREM(cells_without_direction_that_touch_are_one_core)
 {
     chance c = {321};
-    int trial;
+    int trial, rosettes = 0;
     for (trial = 0; trial < 100; ++trial) {
         int shape = trial % A_PLANE, p = 1 + trial % P, turn;
         tissue s = some_tissue(&c, shape, 10);
@@ -997,6 +997,17 @@ THEOREM(cells_without_direction_that_touch_are_one_core)
         built b;
         CASE("trial %d: %s, p = %d", trial, shape_name[shape], p);
         build(&b, &s, -1);
+        if (trial % 2) { /* short edges welded: corners of four cells and more */
+            double weld = 0.45e6 * b.t.tolerance;
+            unbuild(&b);
+            build(&b, &s, weld);
+            for (i = 0; i < b.t.loops; ++i) rosettes |= b.t.loop[i].steps > 3;
+        }
+        if (b.t.measured < s.cells) {
+            unbuild(&b);
+            free_tissue(&s);
+            continue;
+        }
         some_field(&c, &b.t, b.z);
         for (i = 0; i < s.cells; ++i)
             if (one_in(&c, 8)) b.z[2 * i] = b.z[2 * i + 1] = 0;
@@ -1027,6 +1038,7 @@ THEOREM(cells_without_direction_that_touch_are_one_core)
         unbuild(&b);
         free_tissue(&s);
     }
+    CHECK(rosettes);
 }
 
 /* At the boundary the charge of a core is up to its arbitrary directions, and its margin says so. */
@@ -1107,6 +1119,35 @@ THEOREM(welding_does_not_depend_on_the_place)
         unbuild(&b);
         free_tissue(&s);
     }
+}
+
+/* Squares of the lengths would be 0, or infinite. */
+THEOREM(the_unit_may_be_any)
+{
+    static const double unit[4] = {1, 1e-200, 1e-140, 1e150};
+    int k, curved;
+    for (curved = 0; curved < 2; ++curved)
+        for (k = 0; k < 4; ++k) {
+            chance c = {329};
+            tissue s = some_tissue(&c, curved ? AN_ELLIPSOID : A_PLANE, 8);
+            size_t i, pairs = 0;
+            patic_bin bin[40];
+            built b;
+            CASE("unit %g", unit[k]);
+            for (i = 0; i < 3 * s.corners; ++i) s.corner[i] *= unit[k];
+            for (i = 0; i < 2 * s.corners; ++i) s.flat[i] *= unit[k];
+            build(&b, &s, -1);
+            CHECK_EQUAL(b.t.chi, curved ? 2 : 1);
+            CHECK_EQUAL(b.t.isolated, 0);
+            field_and_charges(&b, 6, 1.5);
+            check_theorem(&b.t, 6, b.coarse);
+            CHECK(b.t.spacing > 0.1 * unit[k] && b.t.spacing < 10 * unit[k]);
+            i = patic_correlation(&b.t, 6, b.z, b.t.spacing, 40, bin);
+            for (; i > 0; --i) pairs += bin[i - 1].pairs;
+            CHECK(pairs > s.cells);
+            unbuild(&b);
+            free_tissue(&s);
+        }
 }
 
 /* Four cells whose shortest edge is below the tolerance meet at a corner of four. */
@@ -1351,6 +1392,7 @@ int main(void)
     PROVE(a_core_at_the_boundary_has_no_margin);
     PROVE(corners_within_the_tolerance_are_one_and_others_are_not);
     PROVE(welding_does_not_depend_on_the_place);
+    PROVE(the_unit_may_be_any);
     PROVE(an_edge_below_the_tolerance_is_a_rosette);
     PROVE(a_cell_that_overlaps_is_refused_and_leaves_no_trace);
     PROVE(an_outline_that_meets_itself_is_refused);

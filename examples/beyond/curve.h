@@ -25,24 +25,25 @@
 #include <math.h>
 #include <string.h>
 
-/* What may be wrong besides enum surfmink_status. surfmink_merge drops a corner that nearly repeats the one before. */
-enum surfmink_curve_status {
-    SURFMINK_CURVE_UNLIKE_EDGES =
-        100 /* order 4: two edges at a corner that is not sharp differ by more than 1 : 1000 */
-};
+/* What may be wrong besides enum surfmink_status: order 4, and two edges at a corner that is not sharp differ by more
+   than 1 : 1000. surfmink_merge drops a corner that nearly repeats the one before. */
+enum surfmink_curve_status { SURFMINK_CURVE_UNLIKE_EDGES = 100 };
 
 /* As surfmink_strerror and surfmink_status_name, for the status above too. */
 static inline const char *surfmink_curve_strerror(int status);
 static inline const char *surfmink_curve_status_name(int status);
 
+/* What is known of the curve.
+   order              2: the polygon stands for the curve; 4
+   sharp       n      not 0 where the curve itself has a corner between two smooth arcs; or NULL: nowhere. Order 4 then
+                      looks along each arc only; an arc of one edge is straight or a geodesic
+   curvature          callback surface: the Gaussian curvature K in 1 / length^2, if it is the same everywhere
+   curvature_at       callback surface: writes K at the corner x, and returns as the other callbacks do; or NULL */
 typedef struct surfmink_curve_options {
-    int order; /* 2: the polygon stands for the curve; 4 */
-    const unsigned char
-        *sharp;       /* n, not 0 where the curve itself has a corner between two smooth arcs; or NULL: nowhere.
-                                   Order 4 then looks along each arc only; an arc of one edge is straight or a geodesic */
-    double curvature; /* of a callback surface: the Gaussian curvature, in 1 / length^2, if it is constant */
-    int (*curvature_at)(void *context, const double *x, double *curvature); /* else: writes that at the corner x, and
-                                   returns as the callbacks of the surface do; or NULL */
+    int order;
+    const unsigned char *sharp;
+    double curvature;
+    int (*curvature_at)(void *context, const double *x, double *curvature);
 } surfmink_curve_options;
 
 /* error[p] where nothing is known: for mu_p, which lies in [0, 1], that is a bound; for L it is a sign. */
@@ -220,11 +221,11 @@ static inline double surfmink_curve__rise(const surfmink_curve__arcs *c, size_t 
     return (a * surfmink_curve__torsion_change(c, i) + c->swept[i] * (a * a - w * w)) / 12;
 }
 
-/* Order 4: turns and arc lengths of the curve. Between corners its direction runs through the angle D_i = swept, half of
-   it on either side of a mean that is the direction of the chord but for A_i. */
+/* Order 4: turns and arc lengths of the curve. Between corners its direction runs through the angle D_i = swept, half
+   of it on either side of a mean that is the direction of the chord but for A_i. */
 static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
 {
-    double slope, before = surfmink_curve__slant(c, c->n - 1), here, a, total, lost = 0;
+    double slope, before = surfmink_curve__slant(c, c->n - 1), here, a;
     size_t i;
     for (i = 0; i < c->n; ++i) {
         here = surfmink_curve__slant(c, i);
@@ -241,9 +242,7 @@ static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
         here = surfmink_curve__rise(c, i);
         c->turn[i] -= (before + here) / 2;
         before = here;
-        total = c->rise + (here - lost); /* a compensated sum: areas on a sphere keep their digits */
-        lost = (total - c->rise) - (here - lost);
-        c->rise = total;
+        c->rise += here;
     }
     for (i = 0; i < c->n; ++i) {
         a = c->bend ? c->bend[i] : 0;
@@ -303,9 +302,9 @@ static inline void surfmink_curve__add(double sum[2], double x)
     sum[0] = total;
 }
 
-/* Adds to `sum` the parts of p g_p, p = first, first + 1, ... On an arc the phase runs from f - x to f + x, x = pi D / S,
-   and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of exp(i x)^p, which
-   keeps its digits however small x is. */
+/* Adds to `sum` the parts of p g_p, p = first, first + 1, ... On an arc the phase runs from f - x to f + x, where x =
+   pi D / S, and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of
+   exp(i x)^p, which keeps its digits however small x is. */
 static inline void surfmink_curve__add_ranks(const surfmink_curve__arcs *c, int first, int ranks, double (*sum)[2])
 {
     static const double straight = 1e-100; /* sin(p x) = p x to the bit, and nothing is divided by 0 */
@@ -373,25 +372,33 @@ static inline void surfmink_curve__unit_vector(const double v[3], double unit[3]
     for (k = 0; k < 3; ++k) unit[k] /= norm;
 }
 
-static inline int surfmink_curve_bends(const surfmink_outline *o, double *bend, double *twist, size_t *bad)
+/* a_i and w_i of all edges; or, if bend is NULL, whether they have any. */
+static inline int surfmink_curve__bends(const surfmink_outline *o, double *bend, double *twist, size_t *bad)
 {
     double frame[9], a[3], b[3]; /* nu = e x N, e, N */
     size_t i;
-    int k, writes, status;
-    if (o->kind != SURFMINK_EMBEDDED) return surfmink_curve__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
-    if (o->n < 3) return surfmink_curve__blame(SURFMINK_TOO_FEW_CORNERS, o->n, bad);
-    for (writes = 0; writes < 2; ++writes) /* nothing is written before all edges have passed */
-        for (i = 0; i < o->n; ++i) {
-            status = surfmink_frame(o, i, frame);
-            if (status != SURFMINK_OK) return surfmink_curve__blame(status, i + 1 < o->n ? i + 1 : i, bad);
-            if (!writes) continue;
-            surfmink_curve__unit_vector(o->normal + 3 * i, a);
-            surfmink_curve__unit_vector(o->normal + 3 * (i + 1 < o->n ? i + 1 : 0), b);
-            bend[i] = twist[i] = 0;
-            for (k = 0; k < 3; ++k) bend[i] -= (b[k] - a[k]) * frame[3 + k];
-            for (k = 0; k < 3; ++k) twist[i] += (b[k] - a[k]) * frame[k];
-        }
+    int k, status;
+    for (i = 0; i < o->n; ++i) {
+        status = surfmink_frame(o, i, frame);
+        if (status != SURFMINK_OK) return surfmink_curve__blame(status, i + 1 < o->n ? i + 1 : i, bad);
+        if (!bend) continue;
+        surfmink_curve__unit_vector(o->normal + 3 * i, a);
+        surfmink_curve__unit_vector(o->normal + 3 * (i + 1 < o->n ? i + 1 : 0), b);
+        bend[i] = twist[i] = 0;
+        for (k = 0; k < 3; ++k) bend[i] -= (b[k] - a[k]) * frame[3 + k];
+        for (k = 0; k < 3; ++k) twist[i] += (b[k] - a[k]) * frame[k];
+    }
     return SURFMINK_OK;
+}
+
+static inline int surfmink_curve_bends(const surfmink_outline *o, double *bend, double *twist, size_t *bad)
+{
+    int status = SURFMINK_OK;
+    if (o->kind != SURFMINK_EMBEDDED) status = SURFMINK_BAD_ARGUMENT;
+    if (status == SURFMINK_OK && o->n < 3) status = SURFMINK_TOO_FEW_CORNERS;
+    if (status != SURFMINK_OK) return surfmink_curve__blame(status, o->n, bad);
+    status = surfmink_curve__bends(o, NULL, NULL, bad); /* nothing is written before all edges have passed */
+    return status == SURFMINK_OK ? surfmink_curve__bends(o, bend, twist, bad) : status;
 }
 
 /* Curvature at a corner is a turn over two lengths: order 4 is worth something as long as both matter. Beyond that a
@@ -515,7 +522,7 @@ static inline int surfmink_curve__look_around(surfmink_curve__work *work, const 
     if (o->kind == SURFMINK_EMBEDDED) {
         c->bend = work->bend;
         c->twist = work->twist;
-        return surfmink_curve_bends(o, work->bend, work->twist, bad);
+        return surfmink_curve__bends(o, work->bend, work->twist, bad);
     }
     if (o->kind != SURFMINK_SURFACE || !work->options->curvature_at) return SURFMINK_OK;
     for (i = 0; i < c->n; ++i) work->bend[i] = work->twist[(size_t)work->corner[i]] / 2;
@@ -599,16 +606,16 @@ static inline double surfmink_curve__deviations(surfmink_curve__work *work, size
 }
 
 /* The largest of rank p and its neighbours: the error of one rank may happen to change its sign, those of all seldom
-   do at once. L stands alone. */
+   do at once. L has no neighbours, and counts twice instead. */
 static inline double surfmink_curve__around(const double *off, int p)
 {
-    if (p == 0) return off[0];
+    if (p == 0) return 2 * off[0];
     return fmax(fmax(off[p], off[p + 1]), p > 1 ? off[p - 1] : 0);
 }
 
 /* Errors are proportional to sum l_i^(order + 1): from all corners to every second and to every fourth one they grow by
-   known factors. So either deviation tells the error, and the larger one counts. Where the growth that is seen is slower
-   than that, it counts instead. Where it is no doubling, which would be order 1, nothing is known; nor of ranks whose
+   known factors. So either deviation tells the error, and the larger one counts. Where the growth that is seen is
+   slower, it counts instead. Where it is below a doubling, which would be order 1, nothing is known; nor of ranks whose
    phase takes half a turn from one edge to the next. */
 static inline void surfmink_curve__estimate(surfmink_curve__work *work, const surfmink_curve__arcs *all, int max_rank,
                                             double *error)
@@ -628,8 +635,11 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
         if (!(fourfold >= 0 && p * phase < surfmink_curve__pi)) continue;
         half = surfmink_curve__around(work->half, p);
         quarter = surfmink_curve__around(work->quarter, p);
-        if (!(half > noise)) error[p] = noise;
-        if (!(half > noise) || !(twofold > all->power && fourfold > all->power)) continue;
+        if (!(half > noise)) {
+            error[p] = noise;
+            continue;
+        }
+        if (!(twofold > all->power && fourfold > all->power)) continue; /* hardly a corner is left out */
         growth = quarter / half - 1; /* from half, which lacks the error itself, to quarter, which does too */
         if (!(growth >= 2)) continue;
         half /= fmin(twofold / all->power, growth) - 1;
@@ -640,8 +650,8 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
 
 /* --- the calls ---------------------------------------------------------------------------------------------------- */
 
-/* mu and g of order 4, and the functionals of the curve from those of the polygon: what lies between them is added. The
-   polygon knows its S better than the sum of its turns does. */
+/* mu and g of order 4, and the functionals of the curve: those of the polygon, and what lies between the two. The
+   polygon knows its S better than the sum of turns does; phases are shares of the sum, as in surfmink_measure. */
 static inline int surfmink_curve__fourth(surfmink_curve__arcs *c, const surfmink_outline *o, int max_rank,
                                          surfmink_functionals *w, const surfmink_curve_results *out)
 {
@@ -649,7 +659,7 @@ static inline int surfmink_curve__fourth(surfmink_curve__arcs *c, const surfmink
     int status = surfmink_curve__make_arcs(c, 4);
     if (status != SURFMINK_OK) return status;
     curve.length = c->w.length * c->unit;
-    curve.turning = c->w.turning = w->turning - c->rise;
+    curve.turning = w->turning - c->rise;
     curve.curvature += c->rise;
     curve.condition = c->w.condition;
     if (o && o->kind == SURFMINK_SPHERE) curve.area = curve.curvature * o->radius * o->radius;

@@ -148,9 +148,11 @@ static inline void patic__cross(const double *a, const double *b, double *c)
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* In any unit: squares of very long and very short vectors would be infinite or 0. */
 static inline double patic__norm(const double *a)
 {
-    return sqrt(patic__dot(a, a));
+    const double square = patic__dot(a, a), least = 1e-280, most = 1e280;
+    return square > least && square < most ? sqrt(square) : hypot(hypot(a[0], a[1]), a[2]);
 }
 
 /* The angle of a vector in the frame of a cell. */
@@ -651,10 +653,9 @@ static inline int patic_build(patic *t, const surfmink_outline *all, const size_
         for (h = offset[c]; h < offset[c + 1]; ++h) t->owner[h] = c;
         patic__measure_cell(t, c);
         if (t->cell[c].status != SURFMINK_OK) continue;
-        edges += offset[c + 1] - offset[c];
-        length += t->cell[c].length;
+        edges += offset[c + 1] - offset[c]; /* the mean so far, for the sum might overflow */
+        length += (t->cell[c].length - (double)(offset[c + 1] - offset[c]) * length) / (double)edges;
     }
-    if (edges > 0) length /= (double)edges;
     t->tolerance = weld >= 0 ? weld : usual * length;
     side = t->tolerance > 0 ? boxes * t->tolerance : length > 0 ? length : 1;
     patic__weld(t, side);

@@ -2,7 +2,7 @@
 #ifndef SURFMINK_COMMAND_HORIZON_H
 #define SURFMINK_COMMAND_HORIZON_H
 
-#include "camera.h"
+#include "../picture/camera.h"
 
 /* Points of great circles and of the horizon are at most this far apart. */
 static const double degrees_per_point = 2;

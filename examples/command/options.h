@@ -2,7 +2,7 @@
 #ifndef SURFMINK_COMMAND_OPTIONS_H
 #define SURFMINK_COMMAND_OPTIONS_H
 
-#include "camera.h"
+#include "../picture/camera.h"
 #include "common.h"
 #include "number.h"
 

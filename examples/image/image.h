@@ -79,7 +79,8 @@ image_fail(image_error *error, const char *name, const char *format, ...)
 
 static inline int image_no_memory(image_error *error)
 {
-    return image_fail(error, NULL, "outlines: out of memory");
+    image_fail(error, NULL, "outlines: out of memory");
+    return 0;
 }
 
 /* --- bytes -------------------------------------------------------------------------------------------------------- */
@@ -130,7 +131,6 @@ static inline int image_load(image *im, const char *name, int (*enough)(const un
     else if (im->size == 0)
         failed = !image_fail(error, name, "the file is empty");
     if (file != stdin) fclose(file);
-    if (failed) image_free(im);
     return !failed;
 }
 

@@ -116,6 +116,17 @@ static inline int regions__check(const image *im, double value, size_t row, size
     return 1;
 }
 
+/* Are these samples the same, byte for byte? With a size that the compiler knows it needs no call. */
+static inline int regions__alike(const unsigned char *a, const unsigned char *b, size_t sample)
+{
+    switch (sample) {
+    case 1: return *a == *b;
+    case 2: return memcmp(a, b, 2) == 0;
+    case 4: return memcmp(a, b, 4) == 0;
+    default: return memcmp(a, b, 8) == 0;
+    }
+}
+
 /* Fills in `of` by indices into the table. */
 static inline int regions__scan(regions *r, const image *im, double background, regions__table *t, image_error *error)
 {
@@ -124,7 +135,7 @@ static inline int regions__scan(regions *r, const image *im, double background, 
     for (row = 0; row < r->height; ++row) {
         const unsigned char *last = NULL, *here = image_at(im, 0, row, 0);
         for (column = 0; column < r->width; ++column, here += im->sample) {
-            if (!last || memcmp(here, last, im->sample) != 0) { /* neighbours are mostly alike */
+            if (!last || !regions__alike(here, last, im->sample)) { /* neighbours are mostly alike */
                 double value = image_value(im, 0, row, column);
                 if (!regions__check(im, value, row, column, error)) return 0;
                 last = here;
@@ -170,8 +181,8 @@ static inline int regions__sort(regions *r, const regions__table *t, image_error
     return 1;
 }
 
-/* Regions of a label image, which has one channel. Label `background` is none of a cell. On failure there is nothing to
-   free. */
+/* Regions of a label image, which has one channel. Label `background` is none of a cell. Whatever comes of it,
+   regions_free gives the memory back. */
 static inline int regions_read(regions *r, const image *im, double background, int wraps, image_error *error)
 {
     regions__table t;
@@ -190,7 +201,6 @@ static inline int regions_read(regions *r, const image *im, double background, i
     }
     free(t.label);
     free(t.place);
-    if (!good) regions_free(r);
     return good;
 }
 

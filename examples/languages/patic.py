@@ -6,7 +6,8 @@
     import patic                                       # PATIC_LIBRARY=.build/libpatic.so
     f = patic.field(corner, offset, normal, rank=6, cells=1.5)
     f.order, f.direction                               # of each cell
-    f.defects["charge"].sum(), f.chi                   # the same of a closed tissue
+    f.sum + f.boundary, f.chi                          # charges and boundary terms, and what they make up
+    f.defects["x"], f.defects["charge"]
 
 corner (N, 2) or (N, 3): the corners of all outlines, one outline after the other; offset (count + 1,); normal (N, 3) for
 a surface in space, None in the plane, and radius=R for a sphere. The field is averaged over the cells within `ball`, a

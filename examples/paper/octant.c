@@ -9,7 +9,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS    6
 #define PIECES   30 /* that an edge is coloured with */
@@ -93,16 +93,16 @@ static void draw_panel(plot *p, double left, int transport, int rank, const char
             }
         }
     plot_letter(p, left + 6, 16, title);
-    plot_text(p, left + 88, 226, 11, "middle", value);
+    plot_text(p, left + 88, 226, 11, AT_MIDDLE, value);
 }
 
 /* Below the four panels. */
 static void draw_key(plot *p, double y)
 {
     plot_arrow(p, 70, y, 96, y, outwards);
-    plot_text(p, 104, y + 3.5, 10, "start", "outwards (co-normal)");
+    plot_text(p, 104, y + 3.5, 10, AT_START, "outwards (co-normal)");
     plot_arrow(p, 250, y, 276, y, eigenvector);
-    plot_text(p, 284, y + 3.5, 10, "start", "eigenvectors (positive eigenvalue)");
+    plot_text(p, 284, y + 3.5, 10, AT_START, "eigenvectors (positive eigenvalue)");
 }
 
 /* mu_3 and mu_4 over the place of the fiducial point on edge 0. Two of them are 1 everywhere: a thin line on a thick

@@ -8,7 +8,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS  6
 #define PIECES 24 /* points that an edge is drawn with */
@@ -36,8 +36,8 @@ static void draw(plot *p, const surfmink_surface *sphere, const double *corner, 
     }
     plot_ticks(p, &axes, 1, 1, "");
     plot_bars(p, &axes, mu, 1, RANKS, 10);
-    plot_text(p, axes.left - 18, axes.top + 34, 11, "middle", "$\\mu_p$");
-    plot_text(p, axes.left + axes.width + 8, axes.top + 71, 10, "start", "$p$");
+    plot_text(p, axes.left - 18, axes.top + 34, 11, AT_MIDDLE, "$\\mu_p$");
+    plot_text(p, axes.left + axes.width + 8, axes.top + 71, 10, AT_START, "$p$");
     snprintf(name, sizeof name, "(%c)  %d corners", 'a' + n - 3, n);
     plot_letter(p, left + 8, 14, name);
 }

@@ -16,7 +16,7 @@
 #include "../surfaces/ellipsoid.h"
 #include "experiment.h"
 #include "flower.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define LEVELS       9 /* q = 4 << level */
 #define MOST_CORNERS (4 << (LEVELS - 1))
@@ -212,7 +212,7 @@ static void draw_slope(plot *p, const plot_axes *axes, double start, int slope)
     error[1] = start * pow(q[0] / q[1], slope);
     plot_curve(p, axes, q, error, 2, pen, PLOT_NONE);
     snprintf(label, sizeof label, "order %d", slope);
-    plot_text_as(p, plot_x(axes, 420), plot_y(axes, start * pow(q[0] / 420, slope)) - 5, 9, "start", "#555555", 0, 0,
+    plot_text_as(p, plot_x(axes, 420), plot_y(axes, start * pow(q[0] / 420, slope)) - 5, 9, AT_START, "#555555", 0, 0,
                  label);
 }
 

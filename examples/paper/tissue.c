@@ -11,7 +11,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS        6
 #define MOST_CELLS   400
@@ -24,11 +24,6 @@ typedef struct cell {
     double middle[3], up[3]; /* mean of the corners, and of the normals */
     surfmink_functionals w;
 } cell;
-
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void unit(double *v)
 {
@@ -93,9 +88,7 @@ static void measure(cell *c)
 static void carry(const double a[3], const double b[3], const double v[3], double out[3])
 {
     double turn[3], cosine = dot(a, b), along;
-    turn[0] = a[1] * b[2] - a[2] * b[1];
-    turn[1] = a[2] * b[0] - a[0] * b[2];
-    turn[2] = a[0] * b[1] - a[1] * b[0];
+    cross(a, b, turn);
     along = dot(turn, v) / (1 + cosine);
     out[0] = cosine * v[0] + turn[1] * v[2] - turn[2] * v[1] + along * turn[0];
     out[1] = cosine * v[1] + turn[2] * v[0] - turn[0] * v[2] + along * turn[1];
@@ -204,14 +197,14 @@ static void draw(const experiment *e, const cell *cells, int count, const cell *
     if (plot_begin(&p, e->figure, 780, 655)) exit(1);
     plot_letter(&p, 8, 20, "(a)");
     for (i = 0; i < count; ++i)
-        if (dot(cells[i].up, view->toward) > 0.02)
+        if (dot(cells[i].up, view->camera.eye) > 0.02)
             draw_outline(&p, view, &cells[i], origin, thin, plot_ramp(cells[i].mu[6], colour));
     for (k = 0; k < 3; ++k) draw_outline(&p, view, chosen[k], origin, thick, "none");
     for (k = 0; k < 3; ++k) {
         plot_project(view, chosen[k]->middle, xy);
         plot_disc(&p, xy[0], xy[1], 7.5, plot_thin, "#ffffff");
         snprintf(name, sizeof name, "%d", k + 1);
-        plot_text_as(&p, xy[0], xy[1] + 4, 11, "middle", "#000000", 1, 0, name);
+        plot_text_as(&p, xy[0], xy[1] + 4, 11, AT_MIDDLE, "#000000", 1, 0, name);
     }
     plot_scale(&p, 502, 60, 12, 120, "$\\mu_6$");
     plot_letter(&p, 550, 20, "(b)");
@@ -219,23 +212,23 @@ static void draw(const experiment *e, const cell *cells, int count, const cell *
         plot_axes axes = {620, 22.0 + 76 * k, 130, 50, {0, 1}, {0, 1}, {0, 0}};
         plot_ticks(&p, &axes, 1, 0.5, "");
         plot_bars(&p, &axes, chosen[k]->mu, 2, RANKS, 9);
-        plot_text(&p, 580, axes.top + 30, 11, "middle", "$\\mu_p$");
-        plot_text(&p, 760, axes.top + 60, 9, "middle", "$p$");
+        plot_text(&p, 580, axes.top + 30, 11, AT_MIDDLE, "$\\mu_p$");
+        plot_text(&p, 760, axes.top + 60, 9, AT_MIDDLE, "$p$");
         snprintf(name, sizeof name, "%d", k + 1);
         plot_disc(&p, 562, axes.top + 26, 7.5, plot_thin, "#ffffff");
-        plot_text_as(&p, 562, axes.top + 30, 11, "middle", "#000000", 1, 0, name);
+        plot_text_as(&p, 562, axes.top + 30, 11, AT_MIDDLE, "#000000", 1, 0, name);
     }
     plot_letter(&p, 8, 270, "(c)");
     for (k = 0; k < 3; ++k) {
         double y = 345.0 + 122 * k;
         snprintf(name, sizeof name, "%d", k + 1);
         plot_disc(&p, 18, y, 7.5, plot_thin, "#ffffff");
-        plot_text_as(&p, 18, y + 4, 11, "middle", "#000000", 1, 0, name);
+        plot_text_as(&p, 18, y + 4, 11, AT_MIDDLE, "#000000", 1, 0, name);
         for (n = 0; n <= RANKS; ++n)
             if (n != 1) draw_cell(&p, chosen[k], n, 88 + 124.0 * (n ? n - 1 : 0), y);
     }
     for (n = 0; n <= RANKS; ++n)
-        if (n != 1) plot_text(&p, 88 + 124.0 * (n ? n - 1 : 0), 278, 11, "middle", column[n]);
+        if (n != 1) plot_text(&p, 88 + 124.0 * (n ? n - 1 : 0), 278, 11, AT_MIDDLE, column[n]);
     if (plot_end(&p)) exit(1);
 }
 
@@ -263,7 +256,7 @@ int main(int argc, char **argv)
         for (p = 2; p <= RANKS; ++p) fprintf(e.table, "\t%.6f", centre_directions(&cells[i], p, arrow));
         fputc('\n', e.table);
         for (k = 0; k < 3; ++k)
-            if (dot(cells[i].up, view.toward) > 0.75 && (!chosen[k] || cells[i].mu[by[k]] > chosen[k]->mu[by[k]]))
+            if (dot(cells[i].up, view.camera.eye) > 0.75 && (!chosen[k] || cells[i].mu[by[k]] > chosen[k]->mu[by[k]]))
                 chosen[k] = &cells[i];
     }
     printf("Three of %d cells of a tissue on an ellipsoid\n", count);

@@ -9,7 +9,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define CORNERS  5
 #define PER_EDGE 8 /* arrows */
@@ -141,8 +141,8 @@ int main(int argc, char **argv)
         plot_box(&p, 165 + 2.0 * i, 276, 2.3, 9, plot_no_line, plot_ramp(0.76 * colour_at, colour));
     }
     plot_box(&p, 165, 276, 120, 9, plot_thin, "none");
-    plot_text(&p, 158, 284, 10, "end", "start");
-    plot_text(&p, 292, 284, 10, "start", "after one turn");
+    plot_text(&p, 158, 284, 10, AT_END, "start");
+    plot_text(&p, 292, 284, 10, AT_START, "after one turn");
     plot_key(&p, 508, 280, parallel, PLOT_NONE, "parallel");
     plot_key(&p, 605, 280, corrected, PLOT_NONE, "corrected");
     return plot_end(&p) + experiment_end(&e) > 0;

@@ -47,8 +47,8 @@ static double distance(const double *x, const double *a, const double *b)
         along[k] = b[k] - a[k];
         to[k] = x[k] - a[k];
     }
-    length2 = plot__dot(along, along);
-    t = length2 > 0 ? fmin(fmax(plot__dot(to, along) / length2, 0), 1) : 0;
+    length2 = dot(along, along);
+    t = length2 > 0 ? fmin(fmax(dot(to, along) / length2, 0), 1) : 0;
     for (k = 0; k < 3; ++k) sum += (to[k] - t * along[k]) * (to[k] - t * along[k]);
     return sqrt(sum);
 }
@@ -111,7 +111,7 @@ static void draw_country(plot *p, const country *whole, double tolerance, double
         snprintf(name, sizeof name, "to %g km: %lu corners", tolerance, (unsigned long)s.n);
     else
         snprintf(name, sizeof name, "as in the data: %lu corners", (unsigned long)s.n);
-    plot_text(p, left + 80, top + 12, 11, "middle", name);
+    plot_text(p, left + 80, top + 12, 11, AT_MIDDLE, name);
     theory_bars(p, mu, RANKS, left + 30, top + 146, 100, 40, !(tolerance > 0));
 }
 

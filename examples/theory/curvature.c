@@ -84,7 +84,7 @@ static void draw_outline(plot *p, double s, double x, double y)
     plot_repeat(p, "sphere", x, y);
     plot_curve_on(p, &view, plot_in_ellipsoid, axis, 2.2, corner, CORNERS, 1, pen, hidden);
     snprintf(name, sizeof name, "$S$ = %g", s);
-    plot_text(p, x, y + 78, 11, "middle", name);
+    plot_text(p, x, y + 78, 11, AT_MIDDLE, name);
 }
 
 int main(int argc, char **argv)

@@ -101,7 +101,7 @@ static void draw_plane(plot *p, const shape *s, double left, double top)
             xy[2 * i + (size_t)k] = (k ? top + 18 : left + COLUMN / 2 - DRAWING / 2) + DRAWING / 2 +
                                     (k ? -1 : 1) * scale * (s->corner[2 * i + (size_t)k] - (low[k] + high[k]) / 2);
     plot_path(p, xy, s->n, 1, pen, "#dddddd");
-    plot_text(p, left + COLUMN / 2, top + 11, 11, "middle", s->name);
+    plot_text(p, left + COLUMN / 2, top + 11, 11, AT_MIDDLE, s->name);
     theory_bars(p, mu, RANKS, left + 18, top + 110, COLUMN - 24, 36, left < COLUMN);
 }
 
@@ -116,8 +116,9 @@ static void draw_sphere(plot *p, const shape *s, double left, double top)
     size_t i, pieces = s->n > 2 * PIECES ? 1 : PIECES;
     int k;
     for (i = 0; i < s->n; ++i) {
-        for (k = 0; k < 3; ++k) vector[k] = s->corner[2 * i] * view.across[k] + s->corner[2 * i + 1] * view.up[k];
-        theory_need(surfmink_sphere_exp(view.toward, vector, radius, corner + 3 * i));
+        for (k = 0; k < 3; ++k)
+            vector[k] = s->corner[2 * i] * view.camera.right[k] + s->corner[2 * i + 1] * view.camera.up[k];
+        theory_need(surfmink_sphere_exp(view.camera.eye, vector, radius, corner + 3 * i));
     }
     theory_need(surfmink_measure(&outline, RANKS, mu, NULL, NULL, NULL));
     tell(s, "sphere", mu);
@@ -125,7 +126,7 @@ static void draw_sphere(plot *p, const shape *s, double left, double top)
         theory_need(surfmink_edge_points(&sphere, corner + 3 * i, corner + 3 * ((i + 1) % s->n), pieces, at));
     plot_repeat(p, "sphere", view.x, view.y);
     plot_curve_on(p, &view, plot_in_ellipsoid, axis, 2.2, curve, s->n * pieces, 1, pen, plot_no_line);
-    plot_text(p, left + COLUMN / 2, top + 11, 11, "middle", s->name);
+    plot_text(p, left + COLUMN / 2, top + 11, 11, AT_MIDDLE, s->name);
     theory_bars(p, mu, RANKS, left + 18, top + 110, COLUMN - 24, 36, left < COLUMN);
 }
 

@@ -56,7 +56,7 @@ static void draw_octant(plot *p, double x, double y, double size)
         snprintf(name, sizeof name, "%d", (int)i);
         for (k = 0; k < 3; ++k) tip[k] = middle[k] - 0.16 * frame[k];
         plot_project(&view, tip, to);
-        plot_text_as(p, to[0], to[1] + 4, 12, "middle", "#000000", 1, 0, name);
+        plot_text_as(p, to[0], to[1] + 4, 12, AT_MIDDLE, "#000000", 1, 0, name);
     }
 }
 
@@ -71,7 +71,7 @@ static void draw_compass(plot *p, double x, double y, double size, int count, co
     for (k = 0; k < count; ++k) {
         reach = size * length[k];
         plot_arrow(p, x, y, x + reach * cos(angle[k]), y - reach * sin(angle[k]), arrow);
-        plot_text_as(p, x + (size + 11) * cos(angle[k]), y - (size + 11) * sin(angle[k]) + 4, 11, "middle", "#000000",
+        plot_text_as(p, x + (size + 11) * cos(angle[k]), y - (size + 11) * sin(angle[k]) + 4, 11, AT_MIDDLE, "#000000",
                      1, 0, name[k]);
     }
 }

@@ -121,6 +121,20 @@ static void claim_unit(const outline *o, const unsigned char *sharp, int order, 
     CLAIM(same_bits(r->mu, b.mu, sizeof b.mu) && same_bits(r->error, b.error, sizeof b.error));
 }
 
+/* The sphere by callbacks; K is some number. */
+static void claim_by_callbacks(outline *o, const unsigned char *sharp, int order)
+{
+    surfmink_surface surface = surfmink_sphere_surface(&o->radius);
+    surfmink_outline view = surfmink_on_surface(&surface, o->corner, o->n);
+    surfmink_curve_options options = {0, NULL, 0, NULL};
+    result r;
+    surfmink_curve_results out = results_of(&r);
+    options.order = order;
+    options.sharp = sharp;
+    options.curvature = o->normal[0];
+    claim_sound(surfmink_curve(&view, &options, RANK, scratch, &out, &r.bad), &r, o->n);
+}
+
 static void on_a_surface(bytes *in, int order)
 {
     unsigned char sharp[CORNERS];
@@ -139,6 +153,7 @@ static void on_a_surface(bytes *in, int order)
     claim_relabelled(&o, sharp, order, 1 + take(in), status, &r);
     claim_unit(&o, sharp, order, status, &r, 0x1p-40);
     claim_unit(&o, sharp, order, status, &r, 0x1p+101);
+    if (o.kind == SURFMINK_SPHERE) claim_by_callbacks(&o, sharp, order);
 }
 
 /* --- edges and bends ---------------------------------------------------------------------------------------------- */
