@@ -1371,9 +1371,9 @@ static int noise(const outline *o, double deviation, sure *to)
     return surfmink_noise(&view, o->max_rank, deviation, &out, scratch);
 }
 
-/* Noise of so much of the mean edge. Standard deviations of 3000 draws are known to 1.3 %, means of mu^2 to 2 mu sigma /
-   sqrt(3000): four times that is allowed, and what the second order leaves out. Regular polygons have mu_p = 0 but for
-   p = 6. */
+/* Noise of so much of the mean edge. Standard deviations of 3000 draws are known to 1.3 %, means of mu^2 to 2 mu sigma
+   / sqrt(3000): four times that is allowed, and what the second order leaves out. Regular polygons have mu_p = 0 but
+   for p = 6. */
 THEOREM(sigma_and_bias_are_those_of_3000_draws)
 {
     static outline o, noisy;
