@@ -916,7 +916,7 @@ THEOREM(cells_at_the_rim_or_on_a_fold_of_the_chart_are_left_out)
             if (column < from || column > to) continue;
             for (c = 0; c < 3; ++c) {
                 size_t at = c * CHART_PIXELS + k;
-                if (fault == 0) position[at] = NAN;                                /* no position */
+                if (fault == 0) position[at] = (float)NAN;                         /* no position */
                 if (fault == 1) normal[at] = 0;                                    /* no normal */
                 if (fault == 2) position[at] = chart_position[at - column + from]; /* smeared beyond a rim */
                 if (fault == 3) position[at] = chart_position[at - column + from + to - column]; /* folded back */
