@@ -1367,6 +1367,35 @@ THEOREM(a_normal_counts_by_its_direction_however_long_it_is)
     bundle_close(&b);
 }
 
+/* A past bug: the square of such a normal is denormal, and the kernels said S = 6.161 for 2 pi. */
+THEOREM(tiny_normals_beside_long_edges_keep_their_digits)
+{
+    static const double size[4] = {1e-162, 1e-155, 1e-120, 1e162}, edge[4] = {1e60, 1e61, 1e100, 1e-100};
+    bundle b;
+    answers a;
+    size_t i, k, n, at;
+    bundle_open(&b, EMBEDDED, 300, 300 * STAR);
+    for (k = 0; k < 16; ++k)
+        for (n = 3; n <= STAR; n += n < 12 ? 1 : 46) {
+            at = add_outline(&b, n);
+            for (i = 0; i < n; ++i) {
+                double t = 2 * PI * (double)i / (double)n, *x = corner_of(&b, at) + 3 * i,
+                       *m = normal_of(&b, at) + 3 * i;
+                x[0] = edge[k / 4] * cos(t), x[1] = edge[k / 4] * sin(t), x[2] = 0;
+                m[0] = m[1] = 0, m[2] = size[k % 4] * (1 + 0.5 * (double)(i % 3));
+            }
+        }
+    measure(&b, &a, WITH_SCRATCH);
+    CHECK_EQUAL(a.refused, 0);
+    for (i = 0; i < b.count; ++i) {
+        CASE("outline %d of %d corners", (int)i, (int)corners_of(&b, i));
+        CHECK_CLOSE(a.out.turning[i], 2 * PI, LIMIT[TURNING]);
+        for (k = 1; k <= 12; ++k) CHECK_NEAR(a.out.mu[13 * i + k], k % corners_of(&b, i) ? 0 : 1, LIMIT[MU]);
+    }
+    answers_close(&a);
+    bundle_close(&b);
+}
+
 /* One more circle of `size` corners on the saddle z = 2 (x^2 - y^2), which encloses a curvature of about -3 pi / 2;
    with a whisker at corner `at` if there is one, the way back from which ends in the corner but for rounding. */
 static void add_whisker(bundle *b, size_t size, size_t at, double rounding)
@@ -1474,6 +1503,7 @@ static void prove_all(void)
     PROVE(the_sphere_is_an_embedded_surface_up_to_lengths);
     if (on_trial != SCALAR) PROVE(kernels_measure_flowers_and_small_polygons_themselves);
     PROVE(a_normal_counts_by_its_direction_however_long_it_is);
+    PROVE(tiny_normals_beside_long_edges_keep_their_digits);
     PROVE(a_whisker_turns_by_plus_pi_wherever_it_stands);
 }
 

@@ -3,6 +3,8 @@
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 
+#include <stdlib.h>
+
 #include "harness.h"
 #include "shapes.h"
 
@@ -372,6 +374,30 @@ THEOREM(a_merged_outline_is_measured_where_it_was_refused)
     }
 }
 
+/* Points that end with their block, for address sanitizers: nothing is read of a fourth number, or written. */
+THEOREM(points_are_three_numbers)
+{
+    double *x = (double *)malloc(3 * sizeof *x), *v = (double *)malloc(3 * sizeof *v),
+           *y = (double *)malloc(3 * sizeof *y);
+    double radius = 2, direction[2] = {0.6, 0.8}, length = 0;
+    surfmink_surface sphere = surfmink_sphere_surface(&radius);
+    CHECK(x && v && y);
+    if (!x || !v || !y) return;
+    x[0] = 0, x[1] = 0, x[2] = 2;
+    y[0] = 2, y[1] = 0, y[2] = 0;
+    CHECK_OK(surfmink_sphere_log(x, y, radius, v));
+    CHECK_CLOSE(v[0], PI, 1e-15);
+    CHECK_OK(surfmink_sphere_exp(x, v, radius, y));
+    CHECK_CLOSE(y[0], 2, 1e-15);
+    CHECK_OK(sphere.log(&radius, x, y, &length, direction));
+    CHECK_CLOSE(length, PI, 1e-15);
+    CHECK_OK(sphere.exp(&radius, x, direction, 1.0, y));
+    CHECK_OK(surfmink_from_lonlat(10, 20, radius, y));
+    free(x);
+    free(v);
+    free(y);
+}
+
 int main(void)
 {
     PROVE(log_is_the_tangent_as_long_as_the_arc);
@@ -389,5 +415,6 @@ int main(void)
     PROVE(smoothing_takes_the_staircase_out_of_a_pixel_outline);
     PROVE(merging_drops_repeated_corners_and_their_normals);
     PROVE(a_merged_outline_is_measured_where_it_was_refused);
+    PROVE(points_are_three_numbers);
     return QED();
 }
