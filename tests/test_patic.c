@@ -187,6 +187,7 @@ THEOREM(charges_of_the_measured_and_the_coarse_field_add_up_to_chi)
 {
     chance c = {305};
     int shape, p, ball;
+    size_t i;
     for (shape = 0; shape < SHAPES; ++shape) {
         tissue s = some_tissue(&c, shape, 16);
         built b;
@@ -197,6 +198,10 @@ THEOREM(charges_of_the_measured_and_the_coarse_field_add_up_to_chi)
                 CASE("%s, p = %d, radius %d", shape_name[shape], p, ball);
                 CHECK_OK(patic_coarsen(&b.t, p, 1.2 * ball * b.t.spacing, b.z, b.coarse));
                 check_theorem(&b.t, p, b.coarse);
+                for (i = patic_defects(&b.t, b.coarse); i > 0; --i) { /* at the corner, on the sphere of radius 2 */
+                    const double *x = b.t.defect[i - 1].x;
+                    if (shape == A_SPHERE) CHECK_NEAR(sqrt(dot3(x, x)), 2, 0.01);
+                }
             }
         }
         unbuild(&b);
@@ -1284,7 +1289,7 @@ THEOREM(neighbours_with_opposite_normals_are_refused)
 {
     static const double corner[24] = {0, 0, 0, 1, 0, 0, 1,  1, 0, 0,  1, 0, /* seen from above */
                                       0, 0, 0, 0, 1, 0, -1, 1, 0, -1, 0, 0};
-    double normal[24];
+    double normal[24] = {0};
     static const size_t offset[3] = {0, 4, 8};
     surfmink_outline all = surfmink_embedded(corner, normal, 8);
     double back[24];
