@@ -1488,6 +1488,7 @@ THEOREM(what_cannot_be_read_is_refused_by_name)
                 {{277, 0}, "without channels"},
                 {{278, 0}, "strips of no rows"},
                 {{273, 4000000}, "truncated"},
+                {{279, 69}, "truncated"},
                 {{339, 4}, "neither integers nor floats (format 4)"},
                 {{339, 6}, "neither integers nor floats (format 6)"},
                 {{266, 2}, "its bits in reverse order"}};
@@ -1542,7 +1543,7 @@ THEOREM(what_cannot_be_read_is_refused_by_name)
                 image_free(&im);
                 continue;
             }
-            if (tiff[k].other.tag == 273) {
+            if (tiff[k].other.tag == 273 || tiff[k].other.tag == 279) {
                 image im;
                 image_error error;
                 CHECK(!decode(made.byte, made.size, &im, &error) && strstr(error.text, "strip 0"));
