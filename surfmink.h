@@ -76,7 +76,8 @@
      winds, or encloses a curvature near 2 pi, every outline that is not refused has
        L       to 1e-15, relative
        S       to 2e-15 c, relative; through callbacks to 2e-15 (c + sqrt(n) / 50)
-       mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
+       mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same;
+               through callbacks to 1e-14 (1 + c^2)
        area    to 2e-15 of half the sum of |x_i - x_0| l_i; slivers are small beside that. Of embedded outlines it is an
                estimate: see surfmink_area
      by each way to measure: single calls, steps, callbacks, batches; at any size, from 3 to 1e5 corners, for edges from
@@ -1156,7 +1157,8 @@ static int surfmink__check_edge(const surfmink_outline *o, size_t i)
 }
 
 /* A corner that the plain formulas do not measure: they are tried again at ordinary magnitude, so that the same bits
-   come out in any unit; then it has its turn with twice the digits. Returns 0 if there is something wrong with it. */
+   come out in any unit (on a sphere they were there); then it has its turn with twice the digits. Returns 0 if there is
+   something wrong with it. */
 static int surfmink__corner_twice(const surfmink_outline *o, size_t i, double *length, double *sine, double *cosine)
 {
     size_t previous = surfmink__previous(o, i), next = surfmink__next(o, i), k;
@@ -1190,7 +1192,8 @@ static int surfmink__corner_twice(const surfmink_outline *o, size_t i, double *l
     nn = surfmink__dot(n, n);
     surfmink__turn(in, in_in, out, out_out, n, nn, sine, cosine);
     *sine *= SURFMINK_SQRT(nn);
-    if (surfmink__plain(in_in, out_out, *sine, *cosine, surfmink__steep * surfmink__steep * nn * nn * in_in * out_out))
+    if (o->kind != SURFMINK_SPHERE &&
+        surfmink__plain(in_in, out_out, *sine, *cosine, surfmink__steep * surfmink__steep * nn * nn * in_in * out_out))
         return 1;
     surfmink__leftward(axis, before, x, from);
     surfmink__leftward(axis, x, after, to);
@@ -1239,8 +1242,8 @@ static double surfmink__ray_scale(const surfmink_outline *o)
 
 /* Great-circle edges of corners that may lie a little off the sphere. The direction of an edge in the tangent plane is
    that of the chord; its length needs the chord within the unit sphere, whose square is
-   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. Where an edge rises by more than 45 degrees, where it is shorter than eps, and
-   next to antipodes the size becomes infinite, and the corner is not plain. */
+   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. A corner is not plain where the edge rises by more than a tenth of its length, is
+   shorter than eps, or ends next to the antipode. */
 static void surfmink__arcs(const double *x, double radius, surfmink__quad *l)
 {
     double norm[SURFMINK__QUAD + 1], rise, chord[SURFMINK__QUAD], root[SURFMINK__QUAD];
@@ -1251,7 +1254,8 @@ static void surfmink__arcs(const double *x, double radius, surfmink__quad *l)
         rise = (b[0] - a[0]) * (b[0] + a[0]) + (b[1] - a[1]) * (b[1] + a[1]) + (b[2] - a[2]) * (b[2] + a[2]);
         rise = rise / (norm[k] + norm[k + 1]); /* |y| - |x| */
         chord[k] = (l->out[k] - rise * rise) / (norm[k] * norm[k + 1]);
-        if (!(2 * rise * rise < l->out[k] && chord[k] > surfmink__eps * surfmink__eps && chord[k] < 3.5)) l->out[k] = 0;
+        if (!(100 * rise * rise < l->out[k] && chord[k] > surfmink__eps * surfmink__eps && chord[k] < 3.5))
+            l->out[k] = 0;
         root[k] = SURFMINK_SQRT(chord[k] > 0 ? chord[k] : 0);
     }
     for (k = 0; k < SURFMINK__QUAD; ++k) l->length[k] = radius * surfmink__arc_lane(root[k], chord[k]);
@@ -1764,7 +1768,7 @@ static int surfmink__check_sphere(const surfmink_outline *o, double turned, surf
     int status = surfmink__check_turning(w->turning, turned, o->n);
     windings = surfmink__round((w->turning + solid_angle) / surfmink__two_pi);
     if (!(surfmink__abs(0.5 * windings - surfmink__round(0.5 * windings)) > 0.25)) return SURFMINK_CROSSES_ITSELF;
-    if (modulus > 0.1) w->curvature = solid_angle + (1 - windings) * surfmink__two_pi;
+    if (modulus > 0.3) w->curvature = solid_angle + (1 - windings) * surfmink__two_pi;
     if (status == SURFMINK_CLOCKWISE)
         return w->curvature < 2 * surfmink__two_pi ? SURFMINK_CLOCKWISE : SURFMINK_CROSSES_ITSELF;
     if (!(w->curvature > 0)) return SURFMINK_CROSSES_ITSELF;

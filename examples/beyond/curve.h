@@ -225,7 +225,7 @@ static inline double surfmink_curve__rise(const surfmink_curve__arcs *c, size_t 
    of it on either side of a mean that is the direction of the chord but for A_i. */
 static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
 {
-    double slope, before = surfmink_curve__slant(c, c->n - 1), here, a, total, lost = 0;
+    double slope, before = surfmink_curve__slant(c, c->n - 1), here, a;
     size_t i;
     for (i = 0; i < c->n; ++i) {
         here = surfmink_curve__slant(c, i);
@@ -242,9 +242,7 @@ static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
         here = surfmink_curve__rise(c, i);
         c->turn[i] -= (before + here) / 2;
         before = here;
-        total = c->rise + (here - lost); /* a compensated sum: areas on a sphere keep their digits */
-        lost = (total - c->rise) - (here - lost);
-        c->rise = total;
+        c->rise += here;
     }
     for (i = 0; i < c->n; ++i) {
         a = c->bend ? c->bend[i] : 0;
@@ -305,8 +303,8 @@ static inline void surfmink_curve__add(double sum[2], double x)
 }
 
 /* Adds to `sum` the parts of p g_p, p = first, first + 1, ... On an arc the phase runs from f - x to f + x, where x =
-   pi D / S, and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of exp(i x)^p, which
-   keeps its digits however small x is. */
+   pi D / S, and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of
+   exp(i x)^p, which keeps its digits however small x is. */
 static inline void surfmink_curve__add_ranks(const surfmink_curve__arcs *c, int first, int ranks, double (*sum)[2])
 {
     static const double straight = 1e-100; /* sin(p x) = p x to the bit, and nothing is divided by 0 */
@@ -652,8 +650,8 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
 
 /* --- the calls ---------------------------------------------------------------------------------------------------- */
 
-/* mu and g of order 4, and the functionals of the curve: those of the polygon, and what lies between the two. The polygon
-   knows its S better than the sum of turns does; phases are shares of the sum, as in surfmink_measure. */
+/* mu and g of order 4, and the functionals of the curve: those of the polygon, and what lies between the two. The
+   polygon knows its S better than the sum of turns does; phases are shares of the sum, as in surfmink_measure. */
 static inline int surfmink_curve__fourth(surfmink_curve__arcs *c, const surfmink_outline *o, int max_rank,
                                          surfmink_functionals *w, const surfmink_curve_results *out)
 {

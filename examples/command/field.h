@@ -7,7 +7,7 @@
 #ifndef SURFMINK_COMMAND_FIELD_H
 #define SURFMINK_COMMAND_FIELD_H
 
-#include "camera.h"
+#include "../picture/camera.h"
 #include "common.h"
 #include "options.h"
 

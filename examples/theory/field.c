@@ -141,7 +141,7 @@ static void draw_slope(plot *p, const plot_axes *axes, double power, double at, 
     y[0] = at;
     y[1] = at * pow(x[1] / x[0], power);
     plot_curve(p, axes, x, y, 2, pen, PLOT_NONE);
-    plot_text(p, plot_x(axes, x[1]) - 4, plot_y(axes, y[1]) + 12, 9, "end", text);
+    plot_text(p, plot_x(axes, x[1]) - 4, plot_y(axes, y[1]) + 12, 9, AT_END, text);
 }
 
 int main(int argc, char **argv)
