@@ -26,6 +26,7 @@
 #include "../surfmink.h"
 
 #include "beyond/gradient.h"
+#include "command/harmless.h"
 #include "surfaces/ellipsoid.h"
 
 #include <errno.h>
@@ -70,7 +71,9 @@ static void cross3(const double *u, const double *v, double *w)
 
 static void refuse(const char *what, const char *problem)
 {
-    fprintf(stderr, "relax: %s: %s (see relax --help)\n", what, problem);
+    fputs("relax: ", stderr);
+    put_harmless(stderr, what);
+    fprintf(stderr, ": %s (see relax --help)\n", problem);
     exit(EXIT_FAILURE);
 }
 
@@ -348,7 +351,7 @@ static void write_cells(double final)
     for (c = 0; c < cells; ++c)
         for (i = offset[c]; i < offset[c + 1]; ++i) {
             double size = sqrt(dot3(normal + 3 * i, normal + 3 * i));
-            fputs(cell_name[c], stdout);
+            put_harmless(stdout, cell_name[c]);
             for (k = 0; k < 3; ++k) printf("\t%.17g", corner[3 * i + k]);
             for (k = 0; k < 3; ++k) printf("\t%.17g", normal[3 * i + k] / size);
             putchar('\n');
@@ -439,7 +442,9 @@ int main(int argc, char **argv)
     if (!(energy(position) < HUGE_VAL))
         for (i = 0; (size_t)i < cells; ++i)
             if (status[i] != SURFMINK_OK) {
-                fprintf(stderr, "relax: cell %s: %s\n", cell_name[i], surfmink_strerror(status[i]));
+                fputs("relax: cell ", stderr);
+                put_harmless(stderr, cell_name[i]);
+                fprintf(stderr, ": %s\n", surfmink_strerror(status[i]));
                 return EXIT_FAILURE;
             }
     if (log_name && !(log = fopen(log_name, "w"))) refuse(log_name, strerror(errno));

@@ -2,14 +2,21 @@
 #ifndef SURFMINK_COMMAND_MEASURE_H
 #define SURFMINK_COMMAND_MEASURE_H
 
+#include "../beyond/crossings.h"
 #include "batch.h"
 #include "repair.h"
 
 /* Of one polygon. */
 typedef struct measure {
-    int status;         /* of enum surfmink_status or surfmink_curve_status; unless OK only n and line count */
+    int status;         /* of enum surfmink_status, surfmink_curve_status or fault; unless OK only n and line count */
     size_t n;           /* corners, as measured */
-    unsigned long line; /* of the corner to blame, or of the whole outline */
+    const char *id;     /* as long as the batch is */
+    unsigned long line; /* of the corner to blame, or of the whole outline; 0: it has none */
+    unsigned long crossing[2]; /* lines of two edges that cross; 0: not known */
+    unsigned long hint_line;   /* of what may be the cause of a refusal; 0: not known */
+    double hint_edge;          /* the cause: an edge so short, of the perimeter; 0: a spike */
+    int reversed;              /* --reverse auto turned it round */
+    int surface;
     double length, turning, area;
     const double *mu;    /* P + 1 */
     const double *theta; /* P + 1 */
@@ -41,6 +48,8 @@ typedef struct measures {
     double *error;        /* P + 1 a polygon; curves only */
     unsigned char *sharp; /* of one polygon's corners; curves only */
     size_t sharp_room;
+    size_t *crossing; /* 2 a polygon: edges that cross, n if none are known */
+    unsigned char *reversed;
 } measures;
 
 static void begin_measures(measures *m, int max_rank)
@@ -63,6 +72,8 @@ static void make_room(measures *m, size_t count, int max_rank)
     m->of.mu = (double *)resize(m->of.mu, count, ranks * sizeof *m->of.mu);
     m->of.theta = (double *)resize(m->of.theta, count, ranks * sizeof *m->of.theta);
     m->error = (double *)resize(m->error, count, ranks * sizeof *m->error);
+    m->crossing = (size_t *)resize(m->crossing, count, 2 * sizeof *m->crossing);
+    m->reversed = (unsigned char *)resize(m->reversed, count, 1);
     m->room = count;
 }
 
@@ -85,6 +96,8 @@ static void end_measures(measures *m)
     free(m->g);
     free(m->error);
     free(m->sharp);
+    free(m->crossing);
+    free(m->reversed);
     free_edges(&m->edges);
     free(m->phase);
     free(m->direction);
@@ -182,13 +195,43 @@ static void measure_range(measures *m, const batch *b, size_t first, size_t end,
         if (b->polygon[i].fault != SURFMINK_OK) m->of.status[i] = b->polygon[i].fault;
 }
 
+/* Outlines of more corners than this are only looked at with --crossings always: 2,000 corners take 0.3 ms. */
+enum { MOST_TO_CROSS = 2000 };
+
+/* Edges that cross: turning and area do not give all of them away. What crosses itself is nothing else, so it is not
+   turned round either. */
+static void find_crossings(measures *m, const batch *b, const options *o)
+{
+    size_t i, *pair;
+    int found;
+    for (i = 0; i < b->count; ++i) {
+        const polygon *p = &b->polygon[i];
+        int status = m->of.status[i];
+        pair = m->crossing + 2 * i;
+        pair[0] = pair[1] = p->n;
+        if (status != SURFMINK_OK && status != SURFMINK_CLOCKWISE && status != SURFMINK_CROSSES_ITSELF &&
+            status != SURFMINK_TOO_MUCH_CURVATURE)
+            continue;
+        if (o->crossings == CROSSINGS_NEVER || (o->crossings == CROSSINGS_AUTO && p->n > MOST_TO_CROSS)) continue;
+        switch (p->surface) {
+        case PLANE: found = crossings_plane(p->corner, p->n, pair); break;
+        case SPHERE: found = crossings_sphere(p->corner, p->n, pair); break;
+        default: found = crossings_embedded(p->corner, p->normal, p->n, pair);
+        }
+        if (found == CROSSINGS_NO_MEMORY) die("surfmink: out of memory");
+        if (found == 1) m->of.status[i] = SURFMINK_CROSSES_ITSELF;
+    }
+}
+
 /* For --reverse auto: the clockwise ones are turned round and measured again, in runs of such. */
 static void measure_reversed(measures *m, batch *b, const options *o)
 {
     size_t first, end;
     for (first = 0; first < b->count; first = end + 1) {
-        for (end = first; end < b->count && m->of.status[end] == SURFMINK_CLOCKWISE; ++end)
+        for (end = first; end < b->count && m->of.status[end] == SURFMINK_CLOCKWISE; ++end) {
             reverse_corners(&b->polygon[end]);
+            m->reversed[end] = 1;
+        }
         if (end > first) measure_range(m, b, first, end, o);
     }
 }
@@ -215,7 +258,9 @@ static void measure_batch(measures *m, batch *b, const options *o)
     place_polygons(b);
     make_room(m, b->count, o->max_rank);
     m->scratch = (double *)grow(m->scratch, &m->scratch_room, 2 * b->offset[b->count], sizeof *m->scratch);
+    memset(m->reversed, 0, b->count);
     measure_range(m, b, 0, b->count, o);
+    find_crossings(m, b, o);
     if (o->reverse == REVERSE_AUTO) measure_reversed(m, b, o);
     if (o->transport == SURFMINK_PARALLEL) measure_parallel(m, b, o);
 }
@@ -263,14 +308,39 @@ static unsigned long line_to_blame(const polygon *p, size_t bad)
     return bad < p->n ? p->line[bad] : p->first_line;
 }
 
+/* What may be the cause of a refusal by the whole outline: a spike, or an edge that is none. */
+static void find_hint(measure *one, const polygon *p)
+{
+    size_t at;
+    one->hint_line = 0;
+    one->hint_edge = 0;
+    if (p->n < 3 || p->fault != SURFMINK_OK) return;
+    if (one->status != SURFMINK_CLOCKWISE && one->status != SURFMINK_CROSSES_ITSELF &&
+        one->status != SURFMINK_TOO_MUCH_CURVATURE && one->status != SURFMINK_COINCIDENT_CORNERS)
+        return;
+    at = find_spike(p);
+    if (at < p->n && one->status != SURFMINK_COINCIDENT_CORNERS) one->hint_line = p->line[at];
+    if (at < p->n || one->status == SURFMINK_COINCIDENT_CORNERS) return;
+    at = find_short_edge(p, &one->hint_edge);
+    if (at < p->n) one->hint_line = p->line[at + 1 < p->n ? at + 1 : 0];
+}
+
 static measure measure_of(measures *m, const batch *b, size_t i, const options *o)
 {
     const polygon *p = &b->polygon[i];
     surfmink_outline outline = outline_of_polygon(p, o);
-    size_t ranks = (size_t)o->max_rank + 1;
+    size_t ranks = (size_t)o->max_rank + 1, k;
     measure one;
     one.status = m->of.status[i];
     one.n = p->n;
+    one.id = p->id;
+    one.surface = p->surface;
+    one.reversed = m->reversed[i];
+    for (k = 0; k < 2; ++k) {
+        size_t edge = m->crossing[2 * i + k];
+        one.crossing[k] = edge < p->n ? p->line[edge] : 0;
+    }
+    find_hint(&one, p);
     one.line = one.status == SURFMINK_OK ? p->first_line : line_to_blame(p, m->of.bad[i]);
     one.length = m->of.length[i];
     one.turning = m->of.turning[i];

@@ -98,9 +98,10 @@ static void write_row(FILE *out, const options *o, const powers_of_ten *powers, 
     w.powers = powers;
     w.columns = 0;
     if (row == JSON_OBJECT) putc('{', out);
+    if (o->files > 1) put_word(&w, "file", current_file);
     put_word(&w, "id", id);
     put_count(&w, "n", m ? m->n : 0);
-    put_word(&w, "status", m ? surfmink_curve_status_name(m->status) : "");
+    put_word(&w, "status", m ? status_name(m->status) : "");
     put_number(&w, "L", 0, 0, ok ? &ok->length : NULL);
     put_number(&w, "S", 0, 0, ok ? &ok->turning : NULL);
     put_number(&w, "area", 0, 0, ok ? &ok->area : NULL);
