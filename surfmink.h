@@ -76,7 +76,8 @@
      winds, or encloses a curvature near 2 pi, every outline that is not refused has
        L       to 1e-15, relative
        S       to 2e-15 c, relative; through callbacks to 2e-15 (c + sqrt(n) / 50)
-       mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same
+       mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same;
+               through callbacks to 1e-14 (1 + c^2 + sqrt(n) / 10)
        area    to 2e-15 of half the sum of |x_i - x_0| l_i; slivers are small beside that. Of embedded outlines it is an
                estimate: see surfmink_area
      by each way to measure: single calls, steps, callbacks, batches; at any size, from 3 to 1e5 corners, for edges from
@@ -140,9 +141,9 @@ enum surfmink_status {
     SURFMINK_CLOCKWISE = 7,          /* S < 0: surfmink_reverse turns the corners round; or normals point inwards; or,
                                         on a sphere, more than a hemisphere is enclosed */
     SURFMINK_TOO_MUCH_CURVATURE = 8, /* the enclosed curvature reaches 2 pi: S is no more than rounding noise */
-    SURFMINK_CROSSES_ITSELF = 9,   /* S and the area contradict each other, whichever way round; or there is no area */
-    SURFMINK_CALLBACK_FAILED = 10, /* a surface's log or exp failed or returned nonsense */
-    SURFMINK_BAD_ARGUMENT = 11,    /* a negative rank, a radius that is not positive, an edge >= n, ... */
+    SURFMINK_CROSSES_ITSELF = 9,     /* S and the area contradict each other, whichever way round */
+    SURFMINK_CALLBACK_FAILED = 10,   /* a surface's log or exp failed or returned nonsense */
+    SURFMINK_BAD_ARGUMENT = 11,      /* a negative rank, a radius that is not positive, an edge >= n, ... */
     SURFMINK_OPPOSITE_NORMALS = 12 /* the normals of two neighbours are 90 degrees apart or more: one may be flipped */
 };
 
@@ -270,8 +271,9 @@ SURFMINK_DEF int surfmink_edges(const surfmink_outline *outline, double *length,
    n                  outline->n, if there is an outline
    Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT (a negative length, all lengths 0), and
      TOO_MUCH_CURVATURE  |S| < max(1e-12 sum |alpha|, 4 n eps), below which S is rounding noise
-     plane: S = 2 pi and area > 0 is right, S = -2 pi and area < 0 CLOCKWISE, all else CROSSES_ITSELF
-     sphere: likewise with S + area / R^2 = 2 pi, area > 0, and with both signs turned
+     plane: S = 2 pi and area >= 0 is right, S = -2 pi and area <= 0 CLOCKWISE, all else CROSSES_ITSELF; an area
+       within 1e-15 L^2 is 0 up to rounding
+     sphere: likewise with S + area / R^2 = 2 pi, area >= 0, and with both signs turned
      embedded: S in [pi, 3 pi] is right. Otherwise the solid angle W of the polygon of normals (the Gauss image) decides:
        S + W = 2 pi modulo 4 pi within pi, with S > 0, is right; with S < 0 CLOCKWISE if the vector area of the corners
        points against their mean normal; all else CROSSES_ITSELF
@@ -1156,7 +1158,8 @@ static int surfmink__check_edge(const surfmink_outline *o, size_t i)
 }
 
 /* A corner that the plain formulas do not measure: they are tried again at ordinary magnitude, so that the same bits
-   come out in any unit; then it has its turn with twice the digits. Returns 0 if there is something wrong with it. */
+   come out in any unit (on a sphere they were there); then it has its turn with twice the digits. Returns 0 if there is
+   something wrong with it. */
 static int surfmink__corner_twice(const surfmink_outline *o, size_t i, double *length, double *sine, double *cosine)
 {
     size_t previous = surfmink__previous(o, i), next = surfmink__next(o, i), k;
@@ -1190,7 +1193,8 @@ static int surfmink__corner_twice(const surfmink_outline *o, size_t i, double *l
     nn = surfmink__dot(n, n);
     surfmink__turn(in, in_in, out, out_out, n, nn, sine, cosine);
     *sine *= SURFMINK_SQRT(nn);
-    if (surfmink__plain(in_in, out_out, *sine, *cosine, surfmink__steep * surfmink__steep * nn * nn * in_in * out_out))
+    if (o->kind != SURFMINK_SPHERE &&
+        surfmink__plain(in_in, out_out, *sine, *cosine, surfmink__steep * surfmink__steep * nn * nn * in_in * out_out))
         return 1;
     surfmink__leftward(axis, before, x, from);
     surfmink__leftward(axis, x, after, to);
@@ -1239,24 +1243,31 @@ static double surfmink__ray_scale(const surfmink_outline *o)
 
 /* Great-circle edges of corners that may lie a little off the sphere. The direction of an edge in the tangent plane is
    that of the chord; its length needs the chord within the unit sphere, whose square is
-   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. Where an edge rises by more than 45 degrees, where it is shorter than eps, and
-   next to antipodes the size becomes infinite, and the corner is not plain. */
+   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. A corner is not plain where the edge rises by more than a tenth of its length, is
+   shorter than eps, or ends next to the antipode. */
 static void surfmink__arcs(const double *x, double radius, surfmink__quad *l)
 {
     double norm[SURFMINK__QUAD + 1], rise, chord[SURFMINK__QUAD], root[SURFMINK__QUAD];
     const double *a = x + 3, *b = x + 6;
     size_t k;
-    for (k = 0; k <= SURFMINK__QUAD; ++k) norm[k] = SURFMINK_SQRT(surfmink__dot(x + 3 * k + 3, x + 3 * k + 3));
+    for (k = 0; k <= SURFMINK__QUAD; ++k) {
+        norm[k] = SURFMINK_SQRT(surfmink__dot(x + 3 * k + 3, x + 3 * k + 3));
+        if (!(norm[k] > 0)) norm[k] = 1; /* the centre, which is refused: nothing is divided by 0 */
+    }
     for (k = 0; k < SURFMINK__QUAD; ++k, a += 3, b += 3) {
         rise = (b[0] - a[0]) * (b[0] + a[0]) + (b[1] - a[1]) * (b[1] + a[1]) + (b[2] - a[2]) * (b[2] + a[2]);
         rise = rise / (norm[k] + norm[k + 1]); /* |y| - |x| */
         chord[k] = (l->out[k] - rise * rise) / (norm[k] * norm[k + 1]);
-        if (!(2 * rise * rise < l->out[k] && chord[k] > surfmink__eps * surfmink__eps && chord[k] < 3.5)) l->out[k] = 0;
+        if (!(100 * rise * rise < l->out[k] && chord[k] > surfmink__eps * surfmink__eps && chord[k] < 3.5))
+            l->out[k] = 0;
         root[k] = SURFMINK_SQRT(chord[k] > 0 ? chord[k] : 0);
     }
     for (k = 0; k < SURFMINK__QUAD; ++k) l->length[k] = radius * surfmink__arc_lane(root[k], chord[k]);
-    for (k = 0; k < SURFMINK__QUAD; ++k)
-        if (chord[k] >= 1) l->length[k] = radius * 2 * surfmink__atan2(root[k], SURFMINK_SQRT(4 - chord[k]));
+    for (k = 0; k < SURFMINK__QUAD; ++k) {
+        if (chord[k] >= 1 && chord[k] < 3.5)
+            l->length[k] = radius * 2 * surfmink__atan2(root[k], SURFMINK_SQRT(4 - chord[k]));
+        if (!(l->length[k] >= surfmink__shortest)) l->out[k] = 0;
+    }
 }
 
 /* Asks the log of a surface, and mistrusts it: its direction has to be one, and its length positive. */
@@ -1448,16 +1459,15 @@ static double surfmink__shoelace(const surfmink_outline *o, double scale)
     return surfmink__value(&twice) / 2;
 }
 
-/* W_0 in the plane, and its sign, which an area that underflows has lost. */
-static double surfmink__area_plane(const surfmink_outline *o, double *sign)
+/* W_0 in the plane times the square of a power of two: 1 but for areas that overflow or lose digits. */
+static double surfmink__area_plane(const surfmink_outline *o, double *scale)
 {
-    double area = surfmink__shoelace(o, 1), scale, largest;
-    *sign = area;
+    double area = surfmink__shoelace(o, 1), largest;
+    *scale = 1;
     if (surfmink__abs(area) > surfmink__small && surfmink__abs(area) < surfmink__large) return area;
     largest = surfmink__max_abs(o->corner, 2 * o->n);
-    scale = largest > 0 ? surfmink__scale(largest) : 1;
-    *sign = surfmink__shoelace(o, scale);
-    return *sign / scale / scale;
+    if (largest > 0) *scale = surfmink__scale(largest);
+    return surfmink__shoelace(o, *scale);
 }
 
 /* w becomes w z. */
@@ -1682,8 +1692,11 @@ static double surfmink__area_embedded(const surfmink_outline *o)
 
 static double surfmink__area(const surfmink_outline *o)
 {
-    double angle = 0;
-    if (o->kind == SURFMINK_PLANE) return surfmink__area_plane(o, &angle);
+    double angle = 0, scale;
+    if (o->kind == SURFMINK_PLANE) {
+        angle = surfmink__area_plane(o, &scale);
+        return angle / scale / scale;
+    }
     if (o->kind == SURFMINK_EMBEDDED) return surfmink__area_embedded(o);
     surfmink__solid_angle(o, &angle);
     return surfmink__modulo(angle) * o->radius * o->radius;
@@ -1743,13 +1756,18 @@ static int surfmink__check_turning(double turning, double turned, size_t n)
     return turning > noise ? SURFMINK_OK : SURFMINK_TOO_MUCH_CURVATURE;
 }
 
+/* How far below 0 an area may come out by rounding, over the square of L: a double line that goes there and back has an
+   area of 0, S = 2 pi and mu_2 = 1, as the thinnest rectangle. */
+static const double surfmink__flat = 1e-15;
+
 /* The plane encloses no curvature: S is a multiple of 2 pi whatever was drawn. */
 static int surfmink__check_plane(const surfmink_outline *o, surfmink_functionals *w)
 {
-    double sign;
-    w->area = surfmink__area_plane(o, &sign);
-    if (w->turning < -surfmink__pi && w->turning > -3 * surfmink__pi && sign < 0) return SURFMINK_CLOCKWISE;
-    if (!(w->turning > surfmink__pi && w->turning < 3 * surfmink__pi && sign > 0)) return SURFMINK_CROSSES_ITSELF;
+    double scale, area = surfmink__area_plane(o, &scale),
+                  flat = surfmink__flat * (w->length * scale) * (w->length * scale);
+    if (w->turning < -surfmink__pi && w->turning > -3 * surfmink__pi && area < flat) return SURFMINK_CLOCKWISE;
+    if (!(w->turning > surfmink__pi && w->turning < 3 * surfmink__pi && area > -flat)) return SURFMINK_CROSSES_ITSELF;
+    w->area = area / scale / scale;
     w->turning = surfmink__two_pi; /* which the sum of n turns misses by rounding */
     w->curvature = 0;
     return SURFMINK_OK;
@@ -1764,10 +1782,11 @@ static int surfmink__check_sphere(const surfmink_outline *o, double turned, surf
     int status = surfmink__check_turning(w->turning, turned, o->n);
     windings = surfmink__round((w->turning + solid_angle) / surfmink__two_pi);
     if (!(surfmink__abs(0.5 * windings - surfmink__round(0.5 * windings)) > 0.25)) return SURFMINK_CROSSES_ITSELF;
-    if (modulus > 0.1) w->curvature = solid_angle + (1 - windings) * surfmink__two_pi;
+    if (modulus > 0.3) w->curvature = solid_angle + (1 - windings) * surfmink__two_pi;
     if (status == SURFMINK_CLOCKWISE)
         return w->curvature < 2 * surfmink__two_pi ? SURFMINK_CLOCKWISE : SURFMINK_CROSSES_ITSELF;
-    if (!(w->curvature > 0)) return SURFMINK_CROSSES_ITSELF;
+    if (!(w->curvature > -surfmink__flat * (w->length / o->radius) * (w->length / o->radius)))
+        return SURFMINK_CROSSES_ITSELF;
     if (status != SURFMINK_OK) return status;
     w->turning = surfmink__two_pi - w->curvature;
     w->area = w->curvature * o->radius * o->radius;

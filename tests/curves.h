@@ -1,8 +1,8 @@
 /* curves.h - do estimates of errors hold? Random smooth curves on all surfaces, and what curve.h says of them. Include
    it after surfmink.h.
 
-   Two sets of families of curves. With the first one the rules of the estimate were found; the second one, drawn and cut
-   into edges otherwise, was first looked at when the rules stood. */
+   Two sets of families of curves. With the first one the rules of the estimate were found; the second one, drawn and
+   cut into edges otherwise, was first looked at when the rules stood. */
 #ifndef CURVES_H
 #define CURVES_H
 
@@ -241,8 +241,8 @@ static inline double estimate_median(estimates *e)
     return e->kept ? e->ratio[e->kept / 2] : 0;
 }
 
-/* Measures one curve in 2048 and 4096 corners of order 4, from which the truth follows to sixth order, and in 20 to 1000
-   with estimates. Returns how many of these were refused. */
+/* Measures one curve in 2048 and 4096 corners of order 4, from which the truth follows to sixth order, and in 20 to
+   1000 with estimates. Returns how many of these were refused. */
 static inline int estimate_curve(chance *luck, int set, int place, estimates e[2][CORNER_RANGES])
 {
     static double corner[3 * CURVE_FINEST], normal[3 * CURVE_FINEST],

@@ -6,7 +6,10 @@
    A check that fails prints file, line, expression, got and want, and the theorem goes on; so one run shows all that is
    wrong. CASE says which of many polygons it was, NOTE prints a line of its own. The last line of the program is
    `N passed, N failed`, counted in theorems, and its exit status is 1 if any failed.
+   A theorem that checks nothing fails, and so does a program that proves none.
    With -DFEWER=N theorems that try many things try fewer, up to a factor of N: for emulators and sanitizers.
+   With EFFORT=N in the environment (make test EFFORT=10) theorems that take a seed() are proved for N times as many:
+   N rounds, of which the first is always the same.
    A theorem that nobody PROVEs is an unused function: the compiler's warning is the check that the list is complete. */
 #ifndef HARNESS_H
 #define HARNESS_H
@@ -14,7 +17,9 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #ifndef FEWER
@@ -36,20 +41,34 @@
 /* The same doubles, bit for bit. */
 #define CHECK_SAME(got, want, count) harness_same((got), (want), (count), #got, __FILE__, __LINE__)
 
+/* A check that calls none of these, for speed, unless it is known to fail. */
+#define COUNTED ((void)++harness.checks)
+
 /* An outline for the time of a call: surfmink_measure(IN_PLANE(corner, n), ...). */
 #define IN_PLANE(corner, n)            ((surfmink_outline[1]){surfmink_plane(corner, n)})
 #define ON_SPHERE(corner, n, radius)   ((surfmink_outline[1]){surfmink_sphere(corner, n, radius)})
 #define IN_SPACE(corner, normal, n)    ((surfmink_outline[1]){surfmink_embedded(corner, normal, n)})
 #define ON_SURFACE(surface, corner, n) ((surfmink_outline[1]){surfmink_on_surface(surface, corner, n)})
 
+#ifndef HARNESS_SHOWN
 #define HARNESS_SHOWN 5 /* failures printed for each theorem; the rest are only counted */
+#endif
 
 static struct {
     int passed, failed; /* theorems */
-    int failures;       /* of the theorem at hand */
+    long checks;        /* of the theorem at hand */
+    int failures;       /* of them */
+    int round, seeded;  /* which of the seeds, and whether it asks for one */
     const char *name;
     char which[200]; /* the case at hand */
 } harness;
+
+/* A theorem's own seed, another one each round. */
+static inline uint64_t seed(uint64_t number)
+{
+    harness.seeded = 1;
+    return number + 1000003 * (uint64_t)harness.round;
+}
 
 static inline void CASE(const char *format, ...)
 {
@@ -73,22 +92,26 @@ static inline int harness_shows(const char *file, int line)
     if (harness.failures++ == 0) printf("FAILED %s\n", harness.name);
     if (harness.failures > HARNESS_SHOWN) return 0;
     printf("%s:%d: ", file, line);
+    if (harness.round > 0) printf("[round %d] ", harness.round);
     if (harness.which[0]) printf("[%s] ", harness.which);
     return 1;
 }
 
 static inline void harness_true(int claim, const char *text, const char *file, int line)
 {
+    ++harness.checks;
     if (!claim && harness_shows(file, line)) printf("%s does not hold\n", text);
 }
 
 static inline void harness_equal(long long got, long long want, const char *text, const char *file, int line)
 {
+    ++harness.checks;
     if (got != want && harness_shows(file, line)) printf("%s: got %lld, want %lld\n", text, got, want);
 }
 
 static inline void harness_status(int got, int want, const char *text, const char *file, int line)
 {
+    ++harness.checks;
     if (got != want && harness_shows(file, line)) {
         printf("%s: got %d (%s), ", text, got, surfmink_status_name(got));
         printf("want %d (%s)\n", want, surfmink_status_name(want));
@@ -100,6 +123,7 @@ static inline void harness_near(double got, double want, double within, int kind
 {
     static const char *const unit[3] = {"", " relative", " modulo 2 pi"};
     double off = got - want;
+    ++harness.checks;
     if (kind == 1) off /= fabs(want);
     if (kind == 2) off = remainder(off, 6.28318530717958647692);
     if (got == want || fabs(off) <= within) return;
@@ -112,6 +136,7 @@ static inline void harness_same(const double *got, const double *want, size_t co
                                 int line)
 {
     size_t i;
+    harness.checks += count > 0;
     for (i = 0; i < count; ++i) {
         if (memcmp(&got[i], &want[i], sizeof *got) == 0) continue;
         if (harness_shows(file, line))
@@ -136,11 +161,16 @@ static inline void harness_spoil_stack(void)
 
 static inline void harness_prove(void (*theorem)(void), const char *name)
 {
-    harness_spoil_stack();
+    const char *effort = getenv("EFFORT");
+    int rounds = effort ? atoi(effort) : 1;
     harness.name = name;
-    harness.failures = 0;
-    harness.which[0] = '\0';
-    theorem();
+    harness.checks = harness.failures = harness.round = harness.seeded = 0;
+    do {
+        harness_spoil_stack();
+        harness.which[0] = '\0';
+        theorem();
+    } while (harness.seeded && ++harness.round < rounds);
+    if (harness.checks == 0 && harness_shows(__FILE__, __LINE__)) printf("nothing has been checked\n");
     if (harness.failures > HARNESS_SHOWN) printf("... and %d more\n", harness.failures - HARNESS_SHOWN);
     if (harness.failures)
         ++harness.failed;
@@ -151,7 +181,7 @@ static inline void harness_prove(void (*theorem)(void), const char *name)
 static inline int harness_qed(void)
 {
     printf("%d passed, %d failed\n", harness.passed, harness.failed);
-    return harness.failed != 0;
+    return harness.failed != 0 || harness.passed == 0;
 }
 
 #endif

@@ -1,6 +1,6 @@
 #!/bin/sh
 # run.sh TOTAL COMMAND...: runs commands, which end with a line "N passed, N failed", several at a time; adds them up.
-# A command without that line counts as one failure. The sum is the last line, and all that the file TOTAL holds.
+# A command without that line, or that passed nothing, counts as one failure. The sum is the last line, and all that the file TOTAL holds.
 . "$(dirname "$0")/pool.sh"
 total=$1
 shift
@@ -21,7 +21,7 @@ for script in "$commands"/*.sh; do
     *[0-9]" passed, "[0-9]*" failed")
         sed '$d' "$output"
         good=${last%% passed*} bad=${last##* passed, } bad=${bad%% failed*}
-        [ "$bad" -gt 0 ] || [ "$status" = 0 ] || bad=1 ;;
+        [ "$bad" -gt 0 ] || { [ "$status" = 0 ] && [ "$good" -gt 0 ]; } || bad=1 ;;
     *)
         cat "$output"
         good=0 bad=1 ;;

@@ -125,19 +125,19 @@ static void converges(const char *which, enum scheme scheme, enum recipe recipe,
     }
 }
 
-THEOREM(great_circle_polygons_in_a_flower_on_the_sphere_converge_at_second_order)
+THEOREM(great_circles_in_a_flower_converge_at_second_order)
 {
     converges("xs00", GREAT_CIRCLES, SECTION_3, 2, 0.02);
 }
 
-THEOREM(chords_in_flowers_on_a_sphere_an_ellipsoid_and_a_torus_converge_at_second_order)
+THEOREM(chords_of_flowers_converge_at_second_order_everywhere)
 {
     converges("xs00", CHORDS, SECTION_3, 2, 0.02);
     converges("xs01", CHORDS, SECTION_3, 2, 0.02);
     converges("xs02", CHORDS, SECTION_3, 2, 0.15); /* its petals are sharper: 512 corners are few */
 }
 
-THEOREM(with_the_index_of_section_4_components_converge_at_first_order_only)
+THEOREM(by_the_index_of_section_4_components_are_of_first_order)
 {
     converges("xs00", GREAT_CIRCLES, SECTION_4, 1, 0.1);
     converges("xs01", CHORDS, SECTION_4, 1, 0.1);
@@ -172,9 +172,9 @@ THEOREM(lengths_grow_towards_the_length_of_the_curve)
 
 int main(void)
 {
-    PROVE(great_circle_polygons_in_a_flower_on_the_sphere_converge_at_second_order);
-    PROVE(chords_in_flowers_on_a_sphere_an_ellipsoid_and_a_torus_converge_at_second_order);
-    PROVE(with_the_index_of_section_4_components_converge_at_first_order_only);
+    PROVE(great_circles_in_a_flower_converge_at_second_order);
+    PROVE(chords_of_flowers_converge_at_second_order_everywhere);
+    PROVE(by_the_index_of_section_4_components_are_of_first_order);
     PROVE(compared_at_a_corner_components_converge_at_first_order_only);
     PROVE(lengths_grow_towards_the_length_of_the_curve);
     return QED();

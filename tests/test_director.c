@@ -693,8 +693,11 @@ THEOREM(what_is_wrong_is_named_and_nothing_is_written)
         for (k = 0; k < 3; ++k) bad.corner[3 + k] = -bad.corner[k];
         if (kind == ROUND) check_refused(&bad, P, SURFMINK_ANTIPODAL_CORNERS);
         bad = good;
-        for (k = 0; k < 3; ++k) bad.normal[3 + k] = bad.corner[3 + k] - bad.corner[k];
+        for (k = 0; k < 3 * (int)bad.n; ++k) bad.normal[k] = bad.corner[3 + k % 3] - bad.corner[k % 3];
         if (kind == SPACE) check_refused(&bad, P, SURFMINK_UPRIGHT_EDGE);
+        bad = good;
+        for (k = 0; k < 3; ++k) bad.normal[3 + k] *= -1;
+        if (kind == SPACE) check_refused(&bad, P, SURFMINK_OPPOSITE_NORMALS);
     }
 }
 
@@ -721,24 +724,19 @@ static void bent(outline *o, const double *at, size_t joints)
 
 THEOREM(an_outline_whose_normals_cancel_has_no_mean_normal)
 {
-    static const double once_round[5] = {0, PI / 2, PI, 3 * PI / 2, 2 * PI};
+    static const double once_round[9] = {0, PI / 4, PI / 2, 3 * PI / 4, PI, 5 * PI / 4, 3 * PI / 2, 7 * PI / 4, 2 * PI};
     static const double most[5] = {0, 1.2, 2.4, 3.6, 4.8};
-    static const double weight[10] = {1, 1, 1, 1, 0, 1, 1, 1, 1, 0};
-    static const double flat[5] = {0, 0, 0, 0, 0};
+    static const double weight[18] = {1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 0};
     outline o;
     middle m;
-    bent(&o, flat, 5); /* neighbours with opposite normals have none between them */
-    CHECK_OK(steps(&o, 1));
-    CHECK_OK(director(&o, &m));
-    o.normal[3 * 2 + 1] = -1;
-    check_refused(&o, P, SURFMINK_ZERO_NORMAL);
-    bent(&o, once_round, 5); /* the wall of a box: the long sides cancel, if the short ones do not count */
+    bent(&o, once_round,
+         9); /* the wall of a box of eight sides: the long edges cancel, if the short ones do not count */
     CHECK_OK(steps(&o, 1));
     memcpy(o.length, weight, sizeof weight);
     check_refused(&o, P, SURFMINK_ZERO_NORMAL);
-    o.length[4] = 0.97e-6 * 8; /* one short side makes a mean of less than 1e-6, and of more */
+    o.length[8] = 0.97e-6 * 16; /* one short side makes a mean of less than 1e-6, and of more */
     check_refused(&o, P, SURFMINK_ZERO_NORMAL);
-    o.length[4] = 1.03e-6 * 8;
+    o.length[8] = 1.03e-6 * 16;
     CHECK_OK(director(&o, &m));
     CHECK_NEAR(m.normal[1], 1, 1e-9);
     bent(&o, most, 5);

@@ -31,7 +31,7 @@ static double power(double x, int k)
 /* Paper 3.3, eq. (integrated-components-polygon). */
 THEOREM(a_component_is_the_sum_of_lengths_times_powers_of_the_phase)
 {
-    chance c = {31};
+    chance c = {seed(31)};
     double length[MOST], phase[MOST], g[2 * 129];
     int trial, p;
     for (trial = 0; trial < 200; ++trial) {
@@ -88,7 +88,7 @@ THEOREM(at_rank_128_fourteen_digits_are_left)
 
 THEOREM(a_component_does_not_depend_on_how_many_are_asked_for)
 {
-    chance c = {32};
+    chance c = {seed(32)};
     double length[MOST], phase[MOST], all[2 * 81], some[2 * 81], blank[2 * 81];
     size_t n = random_edges(&c, length, phase), asked;
     memset(blank, 0xA5, sizeof blank);
@@ -106,7 +106,7 @@ THEOREM(a_component_does_not_depend_on_how_many_are_asked_for)
 /* Remark of paper 2.3: in the plane the definition coincides with the usual one. */
 THEOREM(in_the_plane_components_are_those_of_the_edge_normals)
 {
-    chance c = {33};
+    chance c = {seed(33)};
     double xy[2 * MOST], g[26], mu[13], first[4];
     int trial, p;
     for (trial = 0; trial < 500; ++trial) {
@@ -141,9 +141,9 @@ THEOREM(in_the_plane_components_are_those_of_the_edge_normals)
     }
 }
 
-THEOREM(in_the_plane_the_full_tensor_is_the_sum_of_the_products_of_edge_normals)
+THEOREM(in_the_plane_the_full_tensor_is_that_of_the_edge_normals)
 {
-    chance c = {34};
+    chance c = {seed(34)};
     double xy[2 * MOST], g[2 * 13], frame[4], tensor[13];
     int trial, p, j;
     for (trial = 0; trial < 200; ++trial) {
@@ -172,7 +172,7 @@ THEOREM(in_the_plane_the_full_tensor_is_the_sum_of_the_products_of_edge_normals)
 
 THEOREM(the_full_tensor_has_the_components_of_its_definition)
 {
-    chance c = {35};
+    chance c = {seed(35)};
     double length[MOST], phase[MOST], g[2 * 65], tensor[65];
     int trial, p, j;
     for (trial = 0; trial < 20; ++trial) {
@@ -192,7 +192,7 @@ THEOREM(the_full_tensor_has_the_components_of_its_definition)
 
 THEOREM(two_indices_contracted_leave_the_tensor_of_rank_p_minus_2)
 {
-    chance c = {36};
+    chance c = {seed(36)};
     double length[MOST], phase[MOST], g[2 * 1001], tensor[1001], lower[1001];
     int p, j;
     size_t n = random_edges(&c, length, phase);
@@ -205,9 +205,9 @@ THEOREM(two_indices_contracted_leave_the_tensor_of_rank_p_minus_2)
     }
 }
 
-THEOREM(the_trace_free_part_has_no_trace_and_is_the_tensor_less_its_traces)
+THEOREM(the_trace_free_part_is_the_tensor_less_its_traces)
 {
-    chance c = {37};
+    chance c = {seed(37)};
     double length[MOST], phase[MOST], g[2 * 41], only[2 * 41], tensor[41], free_part[41];
     int p, j;
     size_t n = random_edges(&c, length, phase);
@@ -241,9 +241,9 @@ THEOREM(the_trace_free_part_has_no_trace_and_is_the_tensor_less_its_traces)
     }
 }
 
-THEOREM(contraction_with_a_vector_leaves_the_sum_of_normals_times_powers_of_their_projections)
+THEOREM(contraction_sums_normals_times_powers_of_projections)
 {
-    chance c = {38};
+    chance c = {seed(38)};
     double length[MOST], phase[MOST], g[2 * 21], tensor[21];
     int trial, p;
     for (trial = 0; trial < 50; ++trial) {
@@ -274,7 +274,7 @@ THEOREM(contraction_with_a_vector_leaves_the_sum_of_normals_times_powers_of_thei
 
 /* Paper 5.1: the octant with the classical transport, read at a fraction u of an edge. The four pieces of its
    outline, of lengths 1-u, 1, 1, u, have phases of 0, 1, 2, 3 right angles. */
-THEOREM(with_the_classical_transport_the_octant_is_a_square_and_depends_on_the_point)
+THEOREM(by_classical_transport_the_octant_is_a_square)
 {
     static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
     double length[3], turning[3], g[14], mu[7], u;
@@ -298,9 +298,9 @@ THEOREM(with_the_classical_transport_the_octant_is_a_square_and_depends_on_the_p
         }
 }
 
-THEOREM(the_classical_transport_splits_the_edge_of_its_fiducial_point)
+THEOREM(classical_transport_splits_the_edge_of_its_point)
 {
-    chance c = {39};
+    chance c = {seed(39)};
     double length[MOST], turning[MOST], g[26], next[26];
     int trial, p;
     for (trial = 0; trial < 300; ++trial) {
@@ -337,7 +337,7 @@ THEOREM(the_classical_transport_splits_the_edge_of_its_fiducial_point)
 
 THEOREM(the_split_edge_is_one_edge_more_at_every_rank)
 {
-    chance c = {30};
+    chance c = {seed(30)};
     double length[MOST], turning[MOST], piece[MOST + 1], phase[MOST + 1], g[2 * 71], want[2 * 71];
     int trial, k;
     for (trial = 0; trial < 50; ++trial) {
@@ -358,7 +358,7 @@ THEOREM(the_split_edge_is_one_edge_more_at_every_rank)
 
 THEOREM(in_the_plane_both_transports_agree_at_every_point)
 {
-    chance c = {40};
+    chance c = {seed(40)};
     double xy[2 * MOST], moved[2 * MOST], length[MOST], turning[MOST], g[26], parallel[26];
     int trial, p;
     for (trial = 0; trial < 200; ++trial) {
@@ -380,13 +380,13 @@ int main(void)
     PROVE(at_rank_128_fourteen_digits_are_left);
     PROVE(a_component_does_not_depend_on_how_many_are_asked_for);
     PROVE(in_the_plane_components_are_those_of_the_edge_normals);
-    PROVE(in_the_plane_the_full_tensor_is_the_sum_of_the_products_of_edge_normals);
+    PROVE(in_the_plane_the_full_tensor_is_that_of_the_edge_normals);
     PROVE(the_full_tensor_has_the_components_of_its_definition);
     PROVE(two_indices_contracted_leave_the_tensor_of_rank_p_minus_2);
-    PROVE(the_trace_free_part_has_no_trace_and_is_the_tensor_less_its_traces);
-    PROVE(contraction_with_a_vector_leaves_the_sum_of_normals_times_powers_of_their_projections);
-    PROVE(with_the_classical_transport_the_octant_is_a_square_and_depends_on_the_point);
-    PROVE(the_classical_transport_splits_the_edge_of_its_fiducial_point);
+    PROVE(the_trace_free_part_is_the_tensor_less_its_traces);
+    PROVE(contraction_sums_normals_times_powers_of_projections);
+    PROVE(by_classical_transport_the_octant_is_a_square);
+    PROVE(classical_transport_splits_the_edge_of_its_point);
     PROVE(the_split_edge_is_one_edge_more_at_every_rank);
     PROVE(in_the_plane_both_transports_agree_at_every_point);
     return QED();

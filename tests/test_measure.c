@@ -3,6 +3,8 @@
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 
+#include <float.h>
+
 #include "harness.h"
 #include "shapes.h"
 
@@ -48,11 +50,11 @@ THEOREM(the_octant_of_a_sphere_has_three_right_angles)
 
 /* Corners at 0, e and 2 e + t e', where e' is e turned by a right angle, turn by atan t. They are exact; so is e x
    (out - in), while e x out would leave 1e-7 of that turn. Long smooth outlines consist of such corners. */
-THEOREM(a_nearly_straight_corner_between_equal_edges_turns_by_its_small_angle_to_all_digits)
+THEOREM(nearly_straight_corners_keep_all_digits_of_their_turn)
 {
     static const double x[3] = {1, 2, 2}, y[3] = {2, 1, -2}; /* orthogonal, and to their normal, and all of length 3 */
     static const double normal[9] = {-2, 2, -1, -2, 2, -1, -2, 2, -1};
-    chance c = {18};
+    chance c = {seed(18)};
     double flat[6] = {0}, space[9] = {0}, length[3], turning[3];
     int trial, k;
     for (trial = 0; trial < 300; ++trial) {
@@ -75,7 +77,7 @@ THEOREM(a_nearly_straight_corner_between_equal_edges_turns_by_its_small_angle_to
 
 THEOREM(in_the_plane_a_turn_is_the_difference_of_two_edge_directions)
 {
-    chance c = {1};
+    chance c = {seed(1)};
     double xy[2 * MOST], length[MOST], turning[MOST];
     int trial;
     for (trial = 0; trial < 3000; ++trial) {
@@ -95,7 +97,7 @@ THEOREM(in_the_plane_a_turn_is_the_difference_of_two_edge_directions)
 
 THEOREM(on_the_sphere_edges_are_great_circles)
 {
-    chance c = {2};
+    chance c = {seed(2)};
     double xy[2 * MOST], xyz[3 * MOST], length[MOST], turning[MOST];
     int trial;
     for (trial = 0; trial < 1000; ++trial) {
@@ -111,7 +113,7 @@ THEOREM(on_the_sphere_edges_are_great_circles)
             double before[3], after[3], around[3], cross[3], arc, least;
             cross3(at, to, cross);
             arc = atan2(sqrt(dot3(cross, cross)), dot3(at, to));
-            CHECK_NEAR(length[i] / radius, arc, 1e-15);
+            CHECK_NEAR(length[i] / radius, arc, 1e-15 * (1 + arc)); /* a longer one has more to round */
             /* The planes of two great circles meet at the corner, at the angle between their poles. */
             cross3(from, at, before);
             cross3(at, to, after);
@@ -123,11 +125,11 @@ THEOREM(on_the_sphere_edges_are_great_circles)
     }
 }
 
-THEOREM(the_sphere_is_an_embedded_surface_whose_normals_are_its_corners)
+THEOREM(the_sphere_is_embedded_with_its_corners_as_normals)
 {
     /* The projections of a chord and of a great circle to the tangent plane have the same direction, whatever their
        length. */
-    chance c = {3};
+    chance c = {seed(3)};
     double xy[2 * MOST], xyz[3 * MOST], length[2][MOST], turning[2][MOST];
     int trial;
     for (trial = 0; trial < 1000; ++trial) {
@@ -146,10 +148,10 @@ THEOREM(the_sphere_is_an_embedded_surface_whose_normals_are_its_corners)
     }
 }
 
-THEOREM(in_a_tilted_plane_only_the_part_of_an_edge_along_the_surface_turns)
+THEOREM(only_the_part_of_an_edge_along_the_surface_turns)
 {
     /* Edges that leave the tangent plane: their projections turn, their lengths do not shrink. */
-    chance c = {4};
+    chance c = {seed(4)};
     double xy[2 * MOST], xyz[3 * MOST], normal[3 * MOST], flat[2][MOST], raised[2][MOST];
     int trial;
     for (trial = 0; trial < 500; ++trial) {
@@ -179,7 +181,7 @@ THEOREM(edges_may_be_steep_without_loss)
        corners are exact, but at the larger heights their differences are not: what rounding takes from them is small
        beside the edge and large beside its projection. */
     static const double u[3] = {1, 2, 2}, v[3] = {2, 1, -2}, up[3] = {-2, 2, -1};
-    chance c = {20};
+    chance c = {seed(20)};
     double xy[2 * MOST], xyz[3 * MOST], normal[3 * MOST], flat[2][MOST], steep[2][MOST], height;
     int trial;
     for (trial = 0; trial < 200; ++trial)
@@ -207,7 +209,7 @@ THEOREM(edges_may_be_steep_without_loss)
 
 THEOREM(turning_angles_do_not_see_the_frames_of_the_callbacks)
 {
-    chance c = {5};
+    chance c = {seed(5)};
     surfmink_surface plane = spinning_plane();
     double xy[2 * MOST], flat[2][MOST], spun[2][MOST];
     int trial;
@@ -226,7 +228,7 @@ THEOREM(turning_angles_do_not_see_the_frames_of_the_callbacks)
 
 THEOREM(the_sphere_by_callbacks_is_the_sphere)
 {
-    chance c = {6};
+    chance c = {seed(6)};
     double radius = 2.5, xy[2 * MOST], xyz[3 * MOST], direct[2][MOST], called[2][MOST];
     double mu[2][13], g[2][26];
     surfmink_surface sphere = surfmink_sphere_surface(&radius);
@@ -256,9 +258,9 @@ THEOREM(the_sphere_by_callbacks_is_the_sphere)
 
 THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
 {
-    chance c = {7};
-    double xy[2 * MOST], on[3 * MOST], off[3 * MOST], length[2][MOST], turning[2][MOST], area[2];
-    int trial;
+    chance c = {seed(7)};
+    double xy[2 * MOST], on[3 * MOST], off[3 * MOST], length[2][MOST], turning[2][MOST], area[2], least;
+    int trial, compared = 0;
     for (trial = 0; trial < 300; ++trial) {
         size_t n = 3 + one_of(&c, 20), i, k;
         random_star(&c, n, xy);
@@ -270,7 +272,10 @@ THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
         }
         CASE("trial %d", trial);
         CHECK_OK(surfmink_edges(ON_SPHERE(on, n, 7.0), length[0], turning[0], NULL));
+        for (least = 7, i = 0; i < n; ++i) least = fmin(least, length[0][i]);
+        if (least < 7 * 8 * DBL_EPSILON) continue; /* off the sphere rounding might have kept these corners apart */
         CHECK_OK(surfmink_edges(ON_SPHERE(off, n, 7.0), length[1], turning[1], NULL));
+        ++compared;
         for (i = 0; i < n; ++i) {
             CHECK_CLOSE(length[1][i], length[0][i], 3e-15);
             CHECK_ANGLE(turning[1][i], turning[0][i], 1e-14);
@@ -279,6 +284,7 @@ THEOREM(on_the_sphere_only_the_direction_of_a_corner_counts)
         CHECK_OK(surfmink_area(ON_SPHERE(off, n, 7.0), &area[1]));
         CHECK_CLOSE(area[1], area[0], 1e-14);
     }
+    CHECK(compared > 280);
 }
 
 /* --- Minkowski functionals ---------------------------------------------------------------------------------------- */
@@ -307,7 +313,7 @@ THEOREM(the_functionals_are_area_length_and_total_turning)
 /* Theorem (Gauss-Bonnet): the turning angles add up to 2 pi minus the enclosed curvature. */
 THEOREM(the_total_turn_is_two_pi_in_the_plane)
 {
-    chance c = {8};
+    chance c = {seed(8)};
     double xy[2 * MOST];
     surfmink_functionals w;
     int trial;
@@ -323,7 +329,7 @@ THEOREM(the_total_turn_is_two_pi_in_the_plane)
 
 THEOREM(the_total_turn_is_two_pi_minus_the_area_on_the_unit_sphere)
 {
-    chance c = {9};
+    chance c = {seed(9)};
     double xy[2 * MOST], xyz[3 * MOST], area;
     surfmink_functionals w;
     int trial;
@@ -343,9 +349,9 @@ THEOREM(the_total_turn_is_two_pi_minus_the_area_on_the_unit_sphere)
     }
 }
 
-THEOREM(the_total_turn_is_two_pi_plus_the_area_in_the_hyperbolic_plane)
+THEOREM(the_hyperbolic_turn_is_two_pi_plus_the_area)
 {
-    chance c = {10};
+    chance c = {seed(10)};
     surfmink_surface hyperbolic = hyperbolic_plane();
     double xy[2 * MOST];
     surfmink_functionals w;
@@ -389,7 +395,7 @@ THEOREM(far_away_squares_keep_their_area_and_every_other_digit)
 
 THEOREM(the_area_of_a_plane_polygon_is_the_sum_of_its_triangles)
 {
-    chance c = {11};
+    chance c = {seed(11)};
     double xy[2 * MOST], area;
     int trial;
 
@@ -411,7 +417,7 @@ THEOREM(tiny_cells_of_a_sphere_have_the_area_of_their_map)
 {
     /* Near the pole the central projection stretches areas by 1 + 3/2 size^2, which is rounding for a size below
        1e-8. */
-    chance c = {12};
+    chance c = {seed(12)};
     double xy[2 * MOST], xyz[3 * MOST], flat, area;
     surfmink_functionals w;
     double size;
@@ -440,7 +446,7 @@ THEOREM(a_lune_through_both_poles_has_its_share_of_the_sphere)
     /* Corners 0 and 2, or 1 and 3, are opposite: wherever the fan of triangles starts, it meets that. ACCURACY grants
        2e-15 of half the sum of |x_i - x_0| l_i, which comes to at most 2 pi. */
     const double within = 2e-15 * 2 * PI;
-    chance c = {13};
+    chance c = {seed(13)};
     int trial;
     for (trial = 0; trial < 200; ++trial) {
         double width = trial < 20 ? power_of_two(-2 * trial) : between(&c, 1e-3, 179.9), corner[12], moved[12], area;
@@ -469,7 +475,7 @@ THEOREM(a_lune_through_both_poles_has_its_share_of_the_sphere)
 
 THEOREM(the_area_on_a_sphere_does_not_depend_on_the_first_corner)
 {
-    chance c = {14};
+    chance c = {seed(14)};
     double xy[2 * MOST], xyz[3 * MOST], moved[3 * MOST], area, again;
     int trial;
     for (trial = 0; trial < 200; ++trial) {
@@ -487,11 +493,11 @@ THEOREM(the_area_on_a_sphere_does_not_depend_on_the_first_corner)
     }
 }
 
-THEOREM(of_the_two_sides_the_smaller_one_is_told_and_its_sign_says_which)
+THEOREM(of_two_sides_the_smaller_one_is_told_with_its_sign)
 {
     /* Round the north pole at 105 to 115 degrees from it, with a notch that reaches almost to the pole: so all
        corners are near the first one, and there is more than a hemisphere to the left. */
-    chance c = {24};
+    chance c = {seed(24)};
     double corner[3 * 20], length[20], turning[20], area;
     int trial;
     for (trial = 0; trial < 200; ++trial) {
@@ -522,11 +528,106 @@ THEOREM(a_hemisphere_has_half_the_sphere_on_either_side)
     CHECK_CLOSE(fabs(area), 2 * PI * 4, 1e-15);
 }
 
+/* --- areas in space ----------------------------------------------------------------------------------------------- */
+
+/* Area of the chart within a circle of radius h about (u, v), by the rule of 64 angles and 8 Gaussian radii. */
+static double disk_area(const chart *m, double u, double v, double h)
+{
+    static const double node[4] = {0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
+                                   0.96028985649753623168};
+    static const double weight[4] = {0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
+                                     0.10122853629037625915};
+    double sum = 0;
+    int i, k;
+    for (i = 0; i < 64; ++i)
+        for (k = 0; k < 8; ++k) {
+            double r = h / 2 * (1 + (k % 2 ? node[k / 2] : -node[k / 2])), t = 2 * PI * i / 64;
+            double x[3], normal[3], du[3], dv[3], cross[3];
+            chart_point(m, u + r * cos(t), v + r * sin(t), x, normal, du, dv);
+            cross3(du, dv, cross);
+            sum += weight[k / 2] * h / 2 * (2 * PI / 64) * r * sqrt(dot3(cross, cross));
+        }
+    return sum;
+}
+
+/* Paper 2.2: W_0, where corners and normals are all that is known. Errors fall at least fourfold when the outline is
+   half as large, down to what 2,000 chords leave out of a smooth curve. */
+THEOREM(areas_in_space_are_of_second_order_in_the_size)
+{
+    static const chart surface[3] = {{ELLIPSOID, 1, 1, 1}, {ELLIPSOID, 1.6, 1.3, 1}, {TORUS, 2, 0.8, 0}};
+    enum { N = 2000 };
+    static double corner[3 * N], normal[3 * N];
+    int kind, at, i;
+    for (kind = 0; kind < 3; ++kind)
+        for (at = 0; at < 6; ++at) {
+            double h, last = 1, u = 0.9 + 0.25 * at, v = 0.5 + at;
+            for (h = 0.4; h > 0.02; h /= 2) {
+                double area = 0, off;
+                for (i = 0; i < N; ++i)
+                    chart_point(&surface[kind], u + h * cos(2 * PI * i / N), v + h * sin(2 * PI * i / N),
+                                corner + 3 * i, normal + 3 * i, NULL, NULL);
+                CASE("surface %d, place %d, radius %g", kind, at, h);
+                CHECK_OK(surfmink_area(IN_SPACE(corner, normal, N), &area));
+                off = fabs(area / disk_area(&surface[kind], u, v, h) - 1);
+                CHECK(off < last / 4 || off < 5e-6);
+                CHECK(off < h * h / 4);
+                last = off;
+            }
+        }
+}
+
+THEOREM(polygons_of_the_sphere_have_their_area_in_space_too)
+{
+    chance c = {seed(25)};
+    double xy[2 * MOST], xyz[3 * MOST], area[2];
+    int trial;
+    for (trial = 0; trial < 1000; ++trial) {
+        size_t n = 3 + one_of(&c, 20);
+        double size = between(&c, 0.01, 0.6), radius = between(&c, 0.5, 2);
+        size_t i;
+        gentle_star(&c, n, xy);
+        onto_sphere(xy, n, size, xyz);
+        turn_somehow(&c, xyz, n);
+        for (i = 0; i < 3 * n; ++i) xyz[i] *= radius;
+        CASE("trial %d, %d corners, size %g", trial, (int)n, size);
+        CHECK_OK(surfmink_area(ON_SPHERE(xyz, n, radius), &area[0]));
+        CHECK_OK(surfmink_area(IN_SPACE(xyz, xyz, n), &area[1]));
+        CHECK_CLOSE(area[1], area[0], 0.03 * size * size); /* which is below 1e-3 up to a radius of 10 degrees */
+    }
+}
+
+/* A band that is wound up and almost touches itself: its area is small beside the squares of its size. */
+THEOREM(thin_meanders_of_a_sphere_keep_the_digits_of_their_area)
+{
+    enum { TURNS = 40 };
+    static double xy[2 * 4 * TURNS], xyz[3 * 4 * TURNS];
+    double width, flat, area = 0, half;
+    size_t i, n;
+    for (width = 1e-2; width > 1e-13; width /= 10) {
+        for (i = 0; i < TURNS; ++i) { /* up and down, then back beside it; so small that the map is flat */
+            double x = (double)i / TURNS, y = i % 2 ? 1 : 0;
+            size_t j = 2 * TURNS - 1 - i;
+            xy[2 * i] = x * 1e-9, xy[2 * i + 1] = y * 1e-9;
+            xy[2 * j] = x * 1e-9, xy[2 * j + 1] = (y + width) * 1e-9;
+        }
+        n = 2 * TURNS;
+        for (half = 0, i = 0; i < n; ++i) {
+            const double *a = xy + 2 * i, *b = xy + 2 * ((i + 1) % n);
+            xyz[3 * i] = a[0], xyz[3 * i + 1] = a[1], xyz[3 * i + 2] = 1;
+            half += hypot(a[0] - xy[0], a[1] - xy[1]) * hypot(b[0] - a[0], b[1] - a[1]) / 2;
+        }
+        CASE("width %g", width);
+        CHECK_OK(surfmink_area(IN_PLANE(xy, n), &flat));
+        CHECK_OK(surfmink_area(ON_SPHERE(xyz, n, 1.0), &area));
+        CHECK_NEAR(area, flat, 2 * 2e-15 * half);
+    }
+}
+
 /* --- outlines that are drawn wrong as a whole --------------------------------------------------------------------- */
 
 THEOREM(reversal_negates_every_turn)
 {
-    chance c = {15};
+    chance c = {seed(15)};
     double xyz[3 * MOST], normal[3 * MOST], length[2][MOST], turning[2][MOST];
     static const chart ellipsoid = {ELLIPSOID, 1.6, 1.3, 1.0};
     surfmink_functionals w;
@@ -565,7 +666,7 @@ static void both_say(const double *xy, size_t n, int status)
     CHECK_STATUS(surfmink_measure(ON_SPHERE(xyz, n, 1.0), 2, NULL, NULL, &w, NULL), status);
 }
 
-THEOREM(an_outline_that_crosses_itself_is_told_by_its_turning_and_its_area)
+THEOREM(turning_and_area_tell_an_outline_that_crosses_itself)
 {
     static const double square[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
     static const double bow_tie[8] = {-1, -1, 1, 1, 1, -1, -1, 1};
@@ -595,9 +696,59 @@ THEOREM(an_outline_that_crosses_itself_is_told_by_its_turning_and_its_area)
     both_say(loops, 5, SURFMINK_CROSSES_ITSELF);
 }
 
+/* Accepted by 0.3.0: S is 2 pi, or what is left of it, and the area negative; or what is said depended on the first
+   corner, for the checks were skipped where the fan of triangles met an antipode. */
+THEOREM(turning_and_area_agree_or_the_outline_is_refused)
+{
+    static const double knot[10] = {1, 0, 1, 6, 0, 6, 6, 4, 0, 0}; /* S = 2 pi, area -12 */
+    static const double cube[24] = {-1, -1, 1, 1, -1, -1, 1, 1, 1, 1, -1, 1, 1, 1, -1, -1, -1, -1, -1, 1, 1, -1, 1, -1};
+    double cut[48], moved[48], xy[2 * MOST], area;
+    surfmink_functionals w;
+    chance c = {seed(27)};
+    size_t i, k, start;
+    int trial, measured = 0, crossing = 0;
+    both_say(knot, 5, SURFMINK_CROSSES_ITSELF);
+    CHECK_OK(surfmink_area(IN_PLANE(knot, 5), &area));
+    CHECK_NEAR(area, -12, 0);
+    for (i = 0; i < 8; ++i)
+        for (k = 0; k < 3; ++k) { /* a point at 0.3 of each edge changes nothing */
+            cut[6 * i + k] = cube[3 * i + k];
+            cut[6 * i + 3 + k] = 0.7 * cube[3 * i + k] + 0.3 * cube[3 * ((i + 1) % 8) + k];
+        }
+    for (start = 0; start < 16; ++start) {
+        CASE("round the cube, first corner %d", (int)start);
+        start_at(start, cut, 16, 3, moved);
+        CHECK_STATUS(surfmink_measure(ON_SPHERE(moved, 16, 1.0), 2, NULL, NULL, &w, NULL), SURFMINK_CROSSES_ITSELF);
+        if (start >= 8) continue;
+        start_at(start, cube, 8, 3, moved);
+        CHECK_STATUS(surfmink_measure(ON_SPHERE(moved, 8, 1.0), 2, NULL, NULL, &w, NULL), SURFMINK_CROSSES_ITSELF);
+    }
+    for (trial = 0; trial < 4000; ++trial) { /* corners exchanged, or anywhere: whatever is accepted is consistent */
+        size_t n = 4 + one_of(&c, 8), status;
+        double xyz[3 * MOST], swap;
+        gentle_star(&c, n, xy);
+        i = one_of(&c, n);
+        k = one_of(&c, n);
+        for (start = 0; start < 2; ++start)
+            swap = xy[2 * i + start], xy[2 * i + start] = xy[2 * k + start], xy[2 * k + start] = swap;
+        if (trial % 2) surfmink_reverse(xy, n, 2);
+        CASE("trial %d", trial);
+        status = (size_t)surfmink_measure(IN_PLANE(xy, n), 2, NULL, NULL, &w, NULL);
+        if (status == SURFMINK_OK) CHECK(w.turning == 2 * PI && w.area > 0);
+        if (status == SURFMINK_OK) ++measured;
+        if (status == SURFMINK_CROSSES_ITSELF) ++crossing;
+        onto_sphere(xy, n, between(&c, 0.1, 1), xyz);
+        if (surfmink_measure(ON_SPHERE(xyz, n, 1.0), 2, NULL, NULL, &w, NULL)) continue;
+        CHECK_NEAR(w.turning + w.area, 2 * PI, 2e-15);
+        CHECK(w.area > 0 && w.turning > 0);
+    }
+    CASE("%d measured, %d cross themselves", measured, crossing);
+    CHECK(measured > 200 && crossing > 1000);
+}
+
 THEOREM(clockwise_outlines_are_refused)
 {
-    chance c = {16};
+    chance c = {seed(16)};
     double xy[2 * MOST];
     int trial;
     for (trial = 0; trial < 200; ++trial) {
@@ -610,9 +761,9 @@ THEOREM(clockwise_outlines_are_refused)
     }
 }
 
-THEOREM(more_than_a_hemisphere_is_clockwise_and_a_great_circle_is_neither)
+THEOREM(more_than_a_hemisphere_is_clockwise)
 {
-    chance c = {17};
+    chance c = {seed(17)};
     double corner[3 * MOST], latitude;
     surfmink_functionals w;
     size_t n, i;
@@ -636,7 +787,7 @@ THEOREM(more_than_a_hemisphere_is_clockwise_and_a_great_circle_is_neither)
 
 /* --- spikes ------------------------------------------------------------------------------------------------------- */
 
-THEOREM(a_whisker_that_sticks_out_is_measured_and_one_that_sticks_in_is_refused)
+THEOREM(a_whisker_out_is_measured_and_one_in_refused)
 {
     /* A square whose corner 2 grows a hair and comes back: the turn at the tip of the hair is pi. */
     double corner[12] = {-1, -1, 1, -1, 1, 1, 2, 2, 1, 1, -1, 1}, length[6], turning[6], mu[5];
@@ -658,7 +809,7 @@ THEOREM(a_whisker_turns_by_plus_pi_wherever_it_points)
     /* There and back again, exactly: the sine of that turn is a zero whose sign depends on the direction and on the
        normal. */
     static const double square[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
-    chance c = {19};
+    chance c = {seed(19)};
     double xy[12], xyz[18], length[6], turning[6], radius = 1;
     surfmink_surface sphere = surfmink_sphere_surface(&radius);
     surfmink_functionals w;
@@ -724,11 +875,11 @@ int main(void)
     PROVE(edge_i_leaves_corner_i_and_turning_i_is_the_turn_at_corner_i);
     PROVE(a_turn_to_the_inside_is_positive_and_a_dent_is_negative);
     PROVE(the_octant_of_a_sphere_has_three_right_angles);
-    PROVE(a_nearly_straight_corner_between_equal_edges_turns_by_its_small_angle_to_all_digits);
+    PROVE(nearly_straight_corners_keep_all_digits_of_their_turn);
     PROVE(in_the_plane_a_turn_is_the_difference_of_two_edge_directions);
     PROVE(on_the_sphere_edges_are_great_circles);
-    PROVE(the_sphere_is_an_embedded_surface_whose_normals_are_its_corners);
-    PROVE(in_a_tilted_plane_only_the_part_of_an_edge_along_the_surface_turns);
+    PROVE(the_sphere_is_embedded_with_its_corners_as_normals);
+    PROVE(only_the_part_of_an_edge_along_the_surface_turns);
     PROVE(edges_may_be_steep_without_loss);
     PROVE(turning_angles_do_not_see_the_frames_of_the_callbacks);
     PROVE(the_sphere_by_callbacks_is_the_sphere);
@@ -736,19 +887,23 @@ int main(void)
     PROVE(the_functionals_are_area_length_and_total_turning);
     PROVE(the_total_turn_is_two_pi_in_the_plane);
     PROVE(the_total_turn_is_two_pi_minus_the_area_on_the_unit_sphere);
-    PROVE(the_total_turn_is_two_pi_plus_the_area_in_the_hyperbolic_plane);
+    PROVE(the_hyperbolic_turn_is_two_pi_plus_the_area);
     PROVE(far_away_squares_keep_their_area_and_every_other_digit);
     PROVE(the_area_of_a_plane_polygon_is_the_sum_of_its_triangles);
     PROVE(tiny_cells_of_a_sphere_have_the_area_of_their_map);
     PROVE(a_lune_through_both_poles_has_its_share_of_the_sphere);
     PROVE(the_area_on_a_sphere_does_not_depend_on_the_first_corner);
-    PROVE(of_the_two_sides_the_smaller_one_is_told_and_its_sign_says_which);
+    PROVE(of_two_sides_the_smaller_one_is_told_with_its_sign);
     PROVE(a_hemisphere_has_half_the_sphere_on_either_side);
+    PROVE(areas_in_space_are_of_second_order_in_the_size);
+    PROVE(polygons_of_the_sphere_have_their_area_in_space_too);
+    PROVE(thin_meanders_of_a_sphere_keep_the_digits_of_their_area);
     PROVE(reversal_negates_every_turn);
-    PROVE(an_outline_that_crosses_itself_is_told_by_its_turning_and_its_area);
+    PROVE(turning_and_area_tell_an_outline_that_crosses_itself);
+    PROVE(turning_and_area_agree_or_the_outline_is_refused);
     PROVE(clockwise_outlines_are_refused);
-    PROVE(more_than_a_hemisphere_is_clockwise_and_a_great_circle_is_neither);
-    PROVE(a_whisker_that_sticks_out_is_measured_and_one_that_sticks_in_is_refused);
+    PROVE(more_than_a_hemisphere_is_clockwise);
+    PROVE(a_whisker_out_is_measured_and_one_in_refused);
     PROVE(a_whisker_turns_by_plus_pi_wherever_it_points);
     PROVE(a_notch_is_no_spike_however_thin);
     PROVE(every_output_of_the_easy_calls_may_be_left_out);

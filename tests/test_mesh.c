@@ -602,7 +602,7 @@ THEOREM(a_flipped_mesh_is_inside_out)
 
 /* --- normals ------------------------------------------------------------------------------------------------------ */
 
-THEOREM(a_vertex_normal_is_the_mean_of_its_triangles_weighted_by_area)
+THEOREM(a_vertex_normal_is_the_mean_weighted_by_area)
 {
     /* A fold along the y axis: area 1/2 upwards on the left, area 3/2 to the side on the right. */
     mesh m;
@@ -617,7 +617,7 @@ THEOREM(a_vertex_normal_is_the_mean_of_its_triangles_weighted_by_area)
 }
 
 /* Across an edge of the coarsest mesh the triangles on both sides differ: order 1 there, 2 in the mean. */
-THEOREM(normals_of_a_refined_sphere_are_right_to_second_order_in_the_mean)
+THEOREM(normals_of_a_refined_sphere_are_of_second_order)
 {
     double worst[8], mean[8];
     int level;
@@ -764,7 +764,7 @@ THEOREM(a_hole_has_a_loop_of_its_own_that_runs_the_other_way)
 /* Generic levels meet no vertex: then the corners are the cut edges, each once. */
 THEOREM(every_cut_edge_is_a_corner_of_one_loop)
 {
-    chance c = {7};
+    chance c = {seed(7)};
     mesh m;
     mesh_loops loops;
     double *field;
@@ -861,7 +861,7 @@ THEOREM(the_equator_of_the_octahedron_has_four_corners)
 /* The rule for ties (at the level is above it) makes a level at vertices the limit of levels just below it. */
 THEOREM(a_level_at_vertices_is_the_limit_of_levels_just_below_it)
 {
-    chance c = {11};
+    chance c = {seed(11)};
     mesh m;
     double *field;
     size_t v, collapsed = 0;
@@ -946,7 +946,7 @@ THEOREM(a_ridge_exactly_at_the_level_is_no_part_of_the_outline)
     mesh_free(&m);
 }
 
-THEOREM(a_level_within_rounding_of_vertices_is_measured_as_if_it_met_them)
+THEOREM(a_level_within_rounding_of_vertices_meets_them)
 {
     static const double level[6] = {1e-17, -1e-17, 1e-16, -1e-16, 3e-14, -3e-14};
     mesh m;
@@ -1218,8 +1218,8 @@ int main(void)
     PROVE(polygons_are_split_into_triangles_that_fill_them);
     PROVE(sheets_that_touch_in_a_vertex_are_counted);
     PROVE(a_flipped_mesh_is_inside_out);
-    PROVE(a_vertex_normal_is_the_mean_of_its_triangles_weighted_by_area);
-    PROVE(normals_of_a_refined_sphere_are_right_to_second_order_in_the_mean);
+    PROVE(a_vertex_normal_is_the_mean_weighted_by_area);
+    PROVE(normals_of_a_refined_sphere_are_of_second_order);
     PROVE(areas_are_exact_on_flat_triangles);
     PROVE(caps_of_refined_spheres_converge_with_order_two);
     PROVE(the_inside_is_on_the_left);
@@ -1229,7 +1229,7 @@ int main(void)
     PROVE(the_equator_of_the_octahedron_has_four_corners);
     PROVE(a_level_at_vertices_is_the_limit_of_levels_just_below_it);
     PROVE(a_ridge_exactly_at_the_level_is_no_part_of_the_outline);
-    PROVE(a_level_within_rounding_of_vertices_is_measured_as_if_it_met_them);
+    PROVE(a_level_within_rounding_of_vertices_meets_them);
     PROVE(nonsense_is_refused_by_name_and_leaves_no_loops);
     PROVE(fields_of_any_size_are_cut_in_the_same_places);
     PROVE(the_flower_on_refined_spheres_is_the_table_s_to_every_digit);

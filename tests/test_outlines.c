@@ -488,6 +488,47 @@ THEOREM(discs_are_round_and_ellipses_what_they_are)
     }
 }
 
+/* A closed chain, done again from the staircase: K = n / 16 passes, from 8 to 64 but n / 4 at most; then as many of what
+   they have taken away. */
+THEOREM(a_closed_curve_is_smoothed_and_given_back)
+{
+    enum { WIDE = 160 };
+    static uint32_t label[WIDE * WIDE];
+    static double rest[2 * MOST];
+    double radius;
+    for (radius = 0.6; radius < 75; radius *= 1.4) {
+        drawing stairs, curve;
+        size_t k, i, n, passes;
+        for (k = 0; k < WIDE * WIDE; ++k)
+            label[k] = hypot((double)(k % WIDE) - 80.2, (double)(k / WIDE) - 79.7) < radius;
+        CASE("radius %g", radius);
+        if (draw(&stairs, label, WIDE, WIDE, NULL, NULL, settings_of(STAIRCASE)) &&
+            draw(&curve, label, WIDE, WIDE, NULL, NULL, settings_of(CURVE))) {
+            outline_of(&stairs, 1, &want_outline);
+            outline_of(&curve, 1, &got_outline);
+            n = want_outline.n;
+            CHECK_EQUAL(got_outline.n, n);
+            for (k = 0; k < 2 * n; ++k)
+                rest[k] = 0.5 * (want_outline.corner[k] + want_outline.corner[k + 2 < 2 * n ? k + 2 : k + 2 - 2 * n]);
+            memcpy(want_outline.corner, rest, 2 * n * sizeof *rest);
+            passes = n < 128 ? 8 : n > 1024 ? 64 : n / 16;
+            if (passes > n / 4) passes = n / 4;
+            surfmink_smooth(want_outline.corner, n, 2, passes);
+            for (k = 0; k < 2 * n; ++k) rest[k] -= want_outline.corner[k];
+            surfmink_smooth(rest, n, 2, passes);
+            for (k = 0; k < n; ++k) {
+                double best = HUGE_VAL, x = want_outline.corner[2 * k] + rest[2 * k];
+                double y = want_outline.corner[2 * k + 1] + rest[2 * k + 1];
+                for (i = 0; i < got_outline.n; ++i)
+                    best = fmin(best, hypot(got_outline.corner[2 * i] - x, got_outline.corner[2 * i + 1] - y));
+                CHECK_NEAR(best, 0, 1e-9);
+            }
+        }
+        erase(&stairs);
+        erase(&curve);
+    }
+}
+
 /* docs/images.md says so: without junctions, corners are rounded off. */
 THEOREM(an_isolated_polygon_loses_its_corners)
 {
@@ -916,7 +957,7 @@ THEOREM(cells_at_the_rim_or_on_a_fold_of_the_chart_are_left_out)
             if (column < from || column > to) continue;
             for (c = 0; c < 3; ++c) {
                 size_t at = c * CHART_PIXELS + k;
-                if (fault == 0) position[at] = NAN;                                /* no position */
+                if (fault == 0) position[at] = (float)NAN;                         /* no position */
                 if (fault == 1) normal[at] = 0;                                    /* no normal */
                 if (fault == 2) position[at] = chart_position[at - column + from]; /* smeared beyond a rim */
                 if (fault == 3) position[at] = chart_position[at - column + from + to - column]; /* folded back */
@@ -1541,6 +1582,7 @@ int main(int argc, char **argv)
     }
     PROVE(errors_stay_within_their_limits_on_another_tissue);
     PROVE(discs_are_round_and_ellipses_what_they_are);
+    PROVE(a_closed_curve_is_smoothed_and_given_back);
     PROVE(an_isolated_polygon_loses_its_corners);
     PROVE(outlines_turn_and_mirror_with_the_image);
     PROVE(the_staircase_has_the_area_of_the_pixels);

@@ -154,19 +154,19 @@ static void converges(enum edges edges)
     }
 }
 
-THEOREM(geodesics_in_a_flower_on_an_ellipsoid_converge_at_second_order_on_every_partition)
+THEOREM(geodesic_flowers_converge_at_second_order)
 {
     converges(GEODESICS);
 }
 
-THEOREM(chords_in_a_flower_on_an_ellipsoid_converge_at_second_order_on_every_partition)
+THEOREM(chords_of_flowers_converge_at_second_order_however_cut)
 {
     converges(CHORDS);
 }
 
 /* The index of paper 4.1, which adds each turn one edge too late: components never see order 2, and mu only where
    edges are equal in the mean. */
-THEOREM(with_the_index_of_section_4_geodesics_do_no_better_than_first_order)
+THEOREM(by_the_index_of_section_4_geodesics_are_of_first_order)
 {
     static polygon q;
     errors coarse, fine;
@@ -308,7 +308,7 @@ static void measure_disturbed(enum partition kind, int by_chance, double tilt, i
 
 /* Paper 4.3 and Corollary 4.11, what a mesh gives: points of order h^2, normals of order h. Order 1 is proved, and
    there is no more of it. */
-THEOREM(with_points_of_order_h2_and_normals_of_order_h_the_order_is_one)
+THEOREM(points_of_order_h2_and_normals_of_order_h_make_order_one)
 {
     errors off[LEVELS];
     int kind;
@@ -422,13 +422,13 @@ THEOREM(on_level_sets_the_index_of_section_4_costs_an_order)
 
 int main(void)
 {
-    PROVE(geodesics_in_a_flower_on_an_ellipsoid_converge_at_second_order_on_every_partition);
-    PROVE(chords_in_a_flower_on_an_ellipsoid_converge_at_second_order_on_every_partition);
-    PROVE(with_the_index_of_section_4_geodesics_do_no_better_than_first_order);
+    PROVE(geodesic_flowers_converge_at_second_order);
+    PROVE(chords_of_flowers_converge_at_second_order_however_cut);
+    PROVE(by_the_index_of_section_4_geodesics_are_of_first_order);
     PROVE(a_turn_is_the_curvature_times_half_the_edges_that_meet_there);
     PROVE(chords_turn_as_geodesics_do);
     PROVE(turns_add_up_to_the_curvature_passed);
-    PROVE(with_points_of_order_h2_and_normals_of_order_h_the_order_is_one);
+    PROVE(points_of_order_h2_and_normals_of_order_h_make_order_one);
     PROVE(with_points_and_normals_of_order_h2_the_order_is_two);
     PROVE(with_worse_points_or_normals_nothing_converges);
     PROVE(richardsons_extrapolation_of_two_polygons_has_order_four);

@@ -218,10 +218,18 @@ run --rank 4 --summary fine.tsv
 check "a torus" "$(said chi)" 0
 check "has charges that add up to 0" "$(said 'sum of charges')" 0
 check "and no warning" "$(grep -c WARNING err)" 0
-torus 3 3 0.35 > coarse.tsv
-run --rank 4 --summary coarse.tsv
-check "a torus of nine cells has" "$(said chi)" 0
-has "too few cells" err "is too coarse for its curvature: its charges sum to"
+# An octahedron whose upper normals point down, as of a tissue that has too few cells to show which way it bends.
+awk 'BEGIN {
+    OFS = "\t"; split("1 0 -1 0", c, " "); split("0 1 0 -1", d, " ")
+    print "cell", "x", "y", "z", "nx", "ny", "nz"; down = -1
+    for (s = 1; s > -2; s -= 2) for (k = 1; k < 5; ++k) {
+        m = s > 0 ? k : k % 4 + 1; n = s > 0 ? k % 4 + 1 : k; normal = c[m] + c[n] OFS d[m] + d[n] OFS down
+        print s k, c[m], d[m], 0, normal; print s k, c[n], d[n], 0, normal; print s k, 0, 0, s, normal
+    } }' > coarse.tsv
+run --rank 6 --radius 0,1c --summary coarse.tsv
+check "an octahedron" "$(said chi | tr '\n' ' ')" "2 2 "
+check "has too few cells" "$(grep WARNING err)" "patic: WARNING: the component of cell 11 (8 cells) is too coarse for its \
+curvature: its charges sum to 0, its Euler characteristic is 2"
 
 # --- wrong calls ------------------------------------------------------------------------------------------------------
 

@@ -28,7 +28,7 @@ static double sum_of(const double *a, size_t n)
 
 /* --- phases ------------------------------------------------------------------------------------------------------- */
 
-THEOREM(a_phase_is_the_turn_since_edge_0_scaled_so_that_one_round_is_two_pi)
+THEOREM(a_phase_is_the_turn_since_edge_0_over_that_of_one_round)
 {
     static const double turning[4] = {1.0, 0.5, -0.25, 0.75}; /* S = 2: one round is stretched by pi */
     double f[4], phi[4], eta[4];
@@ -52,7 +52,7 @@ THEOREM(a_phase_is_the_turn_since_edge_0_scaled_so_that_one_round_is_two_pi)
 /* Paper 2.3, eq. (f). */
 THEOREM(the_corrected_phase_is_the_parallel_one_plus_the_defect)
 {
-    chance c = {21};
+    chance c = {seed(21)};
     double xyz[3 * MOST], length[MOST], turning[MOST], f[MOST], phi[MOST], eta[MOST];
     int trial;
     for (trial = 0; trial < 500; ++trial) {
@@ -74,7 +74,7 @@ THEOREM(the_corrected_phase_is_the_parallel_one_plus_the_defect)
 
 THEOREM(where_nothing_is_enclosed_there_is_no_defect)
 {
-    chance c = {22};
+    chance c = {seed(22)};
     double xy[2 * MOST], length[MOST], turning[MOST], f[MOST], phi[MOST], eta[MOST];
     int trial;
     for (trial = 0; trial < 200; ++trial) {
@@ -94,7 +94,7 @@ THEOREM(where_nothing_is_enclosed_there_is_no_defect)
 
 THEOREM(phases_may_take_the_place_of_the_turning_angles)
 {
-    chance c = {23};
+    chance c = {seed(23)};
     double xyz[3 * MOST], length[MOST], turning[MOST], apart[MOST];
     int trial, transport;
     for (trial = 0; trial < 30; ++trial)
@@ -112,7 +112,7 @@ THEOREM(carried_back_to_edge_0_a_co_normal_has_the_phase_of_its_edge)
 {
     /* That is what a phase is (paper 2.3): the angle of the transported co-normal against the co-normal at the
        fiducial point. */
-    chance c = {24};
+    chance c = {seed(24)};
     double xyz[3 * MOST], length[MOST], turning[MOST], phase[MOST], carried;
     int trial, transport;
     for (trial = 0; trial < 60; ++trial)
@@ -128,9 +128,9 @@ THEOREM(carried_back_to_edge_0_a_co_normal_has_the_phase_of_its_edge)
         }
 }
 
-THEOREM(after_one_round_the_corrected_transport_closes_and_the_parallel_one_is_off_by_the_enclosed_curvature)
+THEOREM(one_round_closes_but_for_the_enclosed_curvature)
 {
-    chance c = {25};
+    chance c = {seed(25)};
     double xyz[3 * MOST], length[MOST], turning[MOST], area, carried;
     int trial;
     for (trial = 0; trial < 300; ++trial) {
@@ -151,9 +151,9 @@ THEOREM(after_one_round_the_corrected_transport_closes_and_the_parallel_one_is_o
     }
 }
 
-THEOREM(transport_there_and_on_is_transport_all_the_way_and_back_is_back)
+THEOREM(transports_add_up_and_undo_each_other)
 {
-    chance c = {26};
+    chance c = {seed(26)};
     double xyz[3 * MOST], length[MOST], turning[MOST], there, on, all, back;
     int trial;
     for (trial = 0; trial < 300; ++trial) {
@@ -189,7 +189,7 @@ static void roll_on(const double *xyz, const double *length, size_t n, size_t fr
 
 THEOREM(parallel_transport_on_the_sphere_rolls_along_great_circles)
 {
-    chance c = {27};
+    chance c = {seed(27)};
     double xyz[3 * MOST], length[MOST], turning[MOST], frame[9], vector[3], rolled[3], carried[3];
     int trial;
     for (trial = 0; trial < 200; ++trial) {
@@ -206,7 +206,7 @@ THEOREM(parallel_transport_on_the_sphere_rolls_along_great_circles)
 
 /* Paper, figure (parallel-transport): carried round the octant a vector comes back turned by a right angle, or as it
    was. */
-THEOREM(round_the_octant_a_vector_turns_by_a_right_angle_unless_corrected)
+THEOREM(round_the_octant_a_vector_turns_unless_corrected)
 {
     static const double corner[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
     double length[3], turning[3], frame[9], carried[3];
@@ -226,7 +226,7 @@ THEOREM(round_the_octant_a_vector_turns_by_a_right_angle_unless_corrected)
 THEOREM(carried_vectors_stay_tangent_and_keep_their_length)
 {
     static const chart torus = {TORUS, 2.0, 0.9, 0};
-    chance c = {28};
+    chance c = {seed(28)};
     double xyz[3 * MOST], normal[3 * MOST], length[MOST], turning[MOST], start[9], end[9], vector[3], carried[3],
         back[3];
     int trial;
@@ -259,15 +259,15 @@ THEOREM(carried_vectors_stay_tangent_and_keep_their_length)
 
 int main(void)
 {
-    PROVE(a_phase_is_the_turn_since_edge_0_scaled_so_that_one_round_is_two_pi);
+    PROVE(a_phase_is_the_turn_since_edge_0_over_that_of_one_round);
     PROVE(the_corrected_phase_is_the_parallel_one_plus_the_defect);
     PROVE(where_nothing_is_enclosed_there_is_no_defect);
     PROVE(phases_may_take_the_place_of_the_turning_angles);
     PROVE(carried_back_to_edge_0_a_co_normal_has_the_phase_of_its_edge);
-    PROVE(after_one_round_the_corrected_transport_closes_and_the_parallel_one_is_off_by_the_enclosed_curvature);
-    PROVE(transport_there_and_on_is_transport_all_the_way_and_back_is_back);
+    PROVE(one_round_closes_but_for_the_enclosed_curvature);
+    PROVE(transports_add_up_and_undo_each_other);
     PROVE(parallel_transport_on_the_sphere_rolls_along_great_circles);
-    PROVE(round_the_octant_a_vector_turns_by_a_right_angle_unless_corrected);
+    PROVE(round_the_octant_a_vector_turns_unless_corrected);
     PROVE(carried_vectors_stay_tangent_and_keep_their_length);
     return QED();
 }

@@ -25,24 +25,25 @@
 #include <math.h>
 #include <string.h>
 
-/* What may be wrong besides enum surfmink_status. surfmink_merge drops a corner that nearly repeats the one before. */
-enum surfmink_curve_status {
-    SURFMINK_CURVE_UNLIKE_EDGES =
-        100 /* order 4: two edges at a corner that is not sharp differ by more than 1 : 1000 */
-};
+/* What may be wrong besides enum surfmink_status: order 4, and two edges at a corner that is not sharp differ by more
+   than 1 : 1000. surfmink_merge drops a corner that nearly repeats the one before. */
+enum surfmink_curve_status { SURFMINK_CURVE_UNLIKE_EDGES = 100 };
 
 /* As surfmink_strerror and surfmink_status_name, for the status above too. */
 static inline const char *surfmink_curve_strerror(int status);
 static inline const char *surfmink_curve_status_name(int status);
 
+/* What is known of the curve.
+   order              2: the polygon stands for the curve; 4
+   sharp       n      not 0 where the curve itself has a corner between two smooth arcs; or NULL: nowhere. Order 4 then
+                      looks along each arc only; an arc of one edge is straight or a geodesic
+   curvature          callback surface: the Gaussian curvature K in 1 / length^2, if it is the same everywhere
+   curvature_at       callback surface: writes K at the corner x, and returns as the other callbacks do; or NULL */
 typedef struct surfmink_curve_options {
-    int order; /* 2: the polygon stands for the curve; 4 */
-    const unsigned char
-        *sharp;       /* n, not 0 where the curve itself has a corner between two smooth arcs; or NULL: nowhere.
-                                   Order 4 then looks along each arc only; an arc of one edge is straight or a geodesic */
-    double curvature; /* of a callback surface: the Gaussian curvature, in 1 / length^2, if it is constant */
-    int (*curvature_at)(void *context, const double *x, double *curvature); /* else: writes that at the corner x, and
-                                   returns as the callbacks of the surface do; or NULL */
+    int order;
+    const unsigned char *sharp;
+    double curvature;
+    int (*curvature_at)(void *context, const double *x, double *curvature);
 } surfmink_curve_options;
 
 /* error[p] where nothing is known: for mu_p, which lies in [0, 1], that is a bound; for L it is a sign. */
@@ -220,11 +221,11 @@ static inline double surfmink_curve__rise(const surfmink_curve__arcs *c, size_t 
     return (a * surfmink_curve__torsion_change(c, i) + c->swept[i] * (a * a - w * w)) / 12;
 }
 
-/* Order 4: turns and arc lengths of the curve. Between corners its direction runs through the angle D_i = swept, half of
-   it on either side of a mean that is the direction of the chord but for A_i. */
+/* Order 4: turns and arc lengths of the curve. Between corners its direction runs through the angle D_i = swept, half
+   of it on either side of a mean that is the direction of the chord but for A_i. */
 static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
 {
-    double slope, before = surfmink_curve__slant(c, c->n - 1), here, a, total, lost = 0;
+    double slope, before = surfmink_curve__slant(c, c->n - 1), here, a;
     size_t i;
     for (i = 0; i < c->n; ++i) {
         here = surfmink_curve__slant(c, i);
@@ -241,9 +242,7 @@ static inline void surfmink_curve__bow(surfmink_curve__arcs *c)
         here = surfmink_curve__rise(c, i);
         c->turn[i] -= (before + here) / 2;
         before = here;
-        total = c->rise + (here - lost); /* a compensated sum: areas on a sphere keep their digits */
-        lost = (total - c->rise) - (here - lost);
-        c->rise = total;
+        c->rise += here;
     }
     for (i = 0; i < c->n; ++i) {
         a = c->bend ? c->bend[i] : 0;
@@ -303,9 +302,9 @@ static inline void surfmink_curve__add(double sum[2], double x)
     sum[0] = total;
 }
 
-/* Adds to `sum` the parts of p g_p, p = first, first + 1, ... On an arc the phase runs from f - x to f + x, x = pi D / S,
-   and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of exp(i x)^p, which
-   keeps its digits however small x is. */
+/* Adds to `sum` the parts of p g_p, p = first, first + 1, ... On an arc the phase runs from f - x to f + x, where x =
+   pi D / S, and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of
+   exp(i x)^p, which keeps its digits however small x is. */
 static inline void surfmink_curve__add_ranks(const surfmink_curve__arcs *c, int first, int ranks, double (*sum)[2])
 {
     static const double straight = 1e-100; /* sin(p x) = p x to the bit, and nothing is divided by 0 */
@@ -615,8 +614,8 @@ static inline double surfmink_curve__around(const double *off, int p)
 }
 
 /* Errors are proportional to sum l_i^(order + 1): from all corners to every second and to every fourth one they grow by
-   known factors. So either deviation tells the error, and the larger one counts. Where the growth that is seen is slower
-   than that, it counts instead. Where it is no doubling, which would be order 1, nothing is known; nor of ranks whose
+   known factors. So either deviation tells the error, and the larger one counts. Where the growth that is seen is
+   slower, it counts instead. Where it is below a doubling, which would be order 1, nothing is known; nor of ranks whose
    phase takes half a turn from one edge to the next. */
 static inline void surfmink_curve__estimate(surfmink_curve__work *work, const surfmink_curve__arcs *all, int max_rank,
                                             double *error)
@@ -636,8 +635,11 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
         if (!(fourfold >= 0 && p * phase < surfmink_curve__pi)) continue;
         half = surfmink_curve__around(work->half, p);
         quarter = surfmink_curve__around(work->quarter, p);
-        if (!(half > noise)) error[p] = noise;
-        if (!(half > noise) || !(twofold > all->power && fourfold > all->power)) continue;
+        if (!(half > noise)) {
+            error[p] = noise;
+            continue;
+        }
+        if (!(twofold > all->power && fourfold > all->power)) continue; /* hardly a corner is left out */
         growth = quarter / half - 1; /* from half, which lacks the error itself, to quarter, which does too */
         if (!(growth >= 2)) continue;
         half /= fmin(twofold / all->power, growth) - 1;
@@ -648,8 +650,8 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
 
 /* --- the calls ---------------------------------------------------------------------------------------------------- */
 
-/* mu and g of order 4, and the functionals of the curve from those of the polygon: what lies between them is added. The
-   polygon knows its S better than the sum of its turns does; phases are taken from the sum, as surfmink_measure does. */
+/* mu and g of order 4, and the functionals of the curve: those of the polygon, and what lies between the two. The
+   polygon knows its S better than the sum of turns does; phases are shares of the sum, as in surfmink_measure. */
 static inline int surfmink_curve__fourth(surfmink_curve__arcs *c, const surfmink_outline *o, int max_rank,
                                          surfmink_functionals *w, const surfmink_curve_results *out)
 {

@@ -2,6 +2,7 @@
 #ifndef SURFMINK_COMMAND_POLYGON_H
 #define SURFMINK_COMMAND_POLYGON_H
 
+#include "../beyond/curve.h"
 #include "common.h"
 #include "options.h"
 

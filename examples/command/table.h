@@ -244,6 +244,7 @@ static void watch_ignored(table *t, const polygon *p, int begins)
         if (i + (size_t)t->shift >= t->in->fields) continue;
         field = t->in->field[i + (size_t)t->shift];
         if (!begins) {
+            if (!t->begun_with[i]) continue; /* the first row of all ended before this column */
             if (strcmp(field, t->begun_with[i]) == 0) continue;
             remark("%s:%lu: column '%s' changes within outline %s; if it tells outlines apart, say so with --id",
                    t->in->name, t->in->number, c->name[i], p->id);

@@ -305,7 +305,7 @@ static inline void fit_free(fit *f)
     memset(f, 0, sizeof *f);
 }
 
-/* Points of all chains that end somewhere. On failure there is nothing to free. */
+/* Points of all chains that end somewhere. Whatever comes of it, fit_free gives the memory back. */
 static inline int fit_points_of(fit *f, trace *t, enum fit_points kind, image_error *error)
 {
     size_t k, longest = 0;
@@ -323,7 +323,6 @@ static inline int fit_points_of(fit *f, trace *t, enum fit_points kind, image_er
     scratch = (double *)malloc(4 * (longest + 2) * sizeof *scratch);
     if (!f->xy || !scratch) {
         free(scratch);
-        fit_free(f);
         return image_no_memory(error);
     }
     for (k = 0; k < t->junction_count; ++k) {

@@ -131,7 +131,6 @@ static inline int image_load(image *im, const char *name, int (*enough)(const un
     else if (im->size == 0)
         failed = !image_fail(error, name, "the file is empty");
     if (file != stdin) fclose(file);
-    if (failed) image_free(im);
     return !failed;
 }
 

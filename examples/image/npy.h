@@ -73,7 +73,7 @@ static inline int npy__shape(npy__text *t, size_t shape[3], size_t *axes)
 static inline int npy__type(image *im, const char *descr, image_error *error)
 {
     size_t sample = strlen(descr) == 3 && descr[2] >= '1' && descr[2] <= '8' ? (size_t)(descr[2] - '0') : 0;
-    char kind = sample ? descr[1] : '\0';
+    char kind = descr[sample ? 1 : strlen(descr)]; /* none of this length: the zero at the end */
     int order = descr[0] == '<' || descr[0] == '>' || (descr[0] == '|' && sample == 1);
     int is_whole = (kind == 'u' || kind == 'i') && (sample == 1 || sample == 2 || sample == 4 || sample == 8);
     if (!order || (!is_whole && !(kind == 'f' && (sample == 4 || sample == 8)) && !(kind == 'b' && sample == 1)))

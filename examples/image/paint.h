@@ -132,15 +132,15 @@ static inline int paint_read(paint *p, const regions *r, const char *name, const
     p->given = (unsigned char *)calloc(r->count, 1);
     if (!p->value || !p->given) return image_no_memory(error);
     for (k = 0; k < r->count; ++k) memcpy(p->value + k, &no_number, sizeof no_number);
-    if (!image_load(&table, name, paint__is_no_text, error)) return 0;
-    text = (char *)realloc(table.bytes, table.size + 1);
+    good = image_load(&table, name, paint__is_no_text, error);
+    text = good ? (char *)realloc(table.bytes, table.size + 1) : NULL;
     if (text) {
         table.bytes = (unsigned char *)text;
         text[table.size] = '\0';
         good = paint__is_no_text(table.bytes, table.size)
                    ? image_fail(error, name, "a zero byte: this is not plain text")
                    : paint__rows(p, r, name, text, column, powers, error);
-    } else
+    } else if (good)
         good = image_no_memory(error);
     image_free(&table);
     return good;

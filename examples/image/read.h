@@ -64,13 +64,11 @@ static inline int read__decode(image *im, image_error *error)
                                                                    : "a PAM");
 }
 
-/* The image in a file, - is standard input. On failure there is nothing to free. */
+/* The image in a file, - is standard input. Whatever comes of it, image_free gives the memory
+   back. */
 static inline int read_image(image *im, const char *name, image_error *error)
 {
-    if (!image_load(im, name, read_is_foreign, error)) return 0;
-    if (read__decode(im, error)) return 1;
-    image_free(im);
-    return 0;
+    return image_load(im, name, read_is_foreign, error) && read__decode(im, error);
 }
 
 #endif

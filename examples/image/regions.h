@@ -181,8 +181,8 @@ static inline int regions__sort(regions *r, const regions__table *t, image_error
     return 1;
 }
 
-/* Regions of a label image, which has one channel. Label `background` is none of a cell. On failure there is nothing to
-   free. */
+/* Regions of a label image, which has one channel. Label `background` is none of a cell. Whatever comes of it,
+   regions_free gives the memory back. */
 static inline int regions_read(regions *r, const image *im, double background, int wraps, image_error *error)
 {
     regions__table t;
@@ -201,7 +201,6 @@ static inline int regions_read(regions *r, const image *im, double background, i
     }
     free(t.label);
     free(t.place);
-    if (!good) regions_free(r);
     return good;
 }
 

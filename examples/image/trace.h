@@ -398,7 +398,8 @@ static inline int trace__find_outlines(trace *t, regions *r, image_error *error)
     return 1;
 }
 
-/* Traces all boundaries; r is marked with what is found. On failure there is nothing to free. */
+/* Traces all boundaries; r is marked with what is found. Whatever comes of it, trace_free
+   gives the memory back. */
 static inline int trace_regions(trace *t, regions *r, image_error *error)
 {
     int good;
@@ -410,7 +411,6 @@ static inline int trace_regions(trace *t, regions *r, image_error *error)
     good = good && trace__find_junctions(t, error) && trace__find_chains(t, error) && trace__find_outlines(t, r, error);
     free(t->passed);
     t->passed = NULL;
-    if (!good) trace_free(t);
     return good;
 }
 

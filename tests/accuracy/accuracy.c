@@ -14,7 +14,7 @@
    taken as exact; polygons that surfmink refuses are counted, not judged.
 
    Turns are rounded, and 1 / S multiplies that: so S is judged relative to c, mu and the angles against 1 + c + c^2 / 10,
-   with c = (sum |alpha| + |2 pi - S|) / S; S through callbacks, which is the sum of their rounded turns, relative to
+   with c = (sum |alpha| + |2 pi - S|) / S; through callbacks against 1 + c^2 + sqrt(n) / 10; S through callbacks, which is the sum of their rounded turns, relative to
    c + sqrt(n) / 50. Areas are judged against how much their triangles cancel. The exit status is 1 if one of the limits
    in `quantity` is exceeded. */
 #define SURFMINK_STATIC
@@ -627,7 +627,8 @@ static void compare(const polygon *o, const measured *m, const double *mu, const
         v->error[ANGLE] =
             worse(v->error[ANGLE], (double)(m->mu[p] * fabsq(remainderq(p * (quad)theta[p] - m->angle[p], 2 * M_PIq))));
     }
-    for (q = MU; q <= ANGLE; ++q) v->judged[q] = v->error[q] / (1 + c + c * c / 10);
+    for (q = MU; q <= ANGLE; ++q)
+        v->judged[q] = v->error[q] / (way == CALLBACKS ? 1 + c * c + sqrt((double)o->n) / 10 : 1 + c + c * c / 10);
 }
 
 static void show_results(const measured *m, const double *mu, const double *theta, const surfmink_functionals *w)

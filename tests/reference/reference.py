@@ -962,17 +962,16 @@ def contours():
             for p in range(2, 7):
                 compare.value(row, 'mu_%d' % p, abs(g[p]) / g[0].real, form)
                 compare.value(row, 'arg_%d' % p, mp.arg(g[p]), form)
-            if row is ref.rows[0] or len(corners) < 60:
-                found = [(loop, k) for loop in loops(mpf(row['level'])) if len(loop) == len(x)
-                         for k in range(len(loop)) if size(minus(loop[k][0], x[0])) < 1e-8]
-                if len(found) != 1:
-                    compare.wrong.append('%s: no loop of cell %s' % (cells.path, row['cell']))
-                    return
-                loop, first = found[0]
-                for i, c in enumerate(corners):
-                    at = loop[(first + i) % len(loop)]
-                    for column, number in zip('x y z nx ny nz'.split(), at[0] + at[1]):
-                        compare.value(c, column, number, fixed(10 if len(column) == 1 else 9))
+            found = [(loop, k) for loop in loops(mpf(row['level'])) if len(loop) == len(x)
+                     for k in range(len(loop)) if size(minus(loop[k][0], x[0])) < 1e-8]
+            if len(found) != 1:
+                compare.wrong.append('%s: no loop of cell %s' % (cells.path, row['cell']))
+                return
+            loop, first = found[0]
+            for i, c in enumerate(corners):
+                at = loop[(first + i) % len(loop)]
+                for column, number in zip('x y z nx ny nz'.split(), at[0] + at[1]):
+                    compare.value(c, column, number, fixed(10 if len(column) == 1 else 9))
         return run
     return [cells, ref], [(1 + 0.02 * int(r['n']), job(r)) for r in ref.rows]
 
