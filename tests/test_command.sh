@@ -651,8 +651,8 @@ refused "a spike in the plane" crosses_itself 6 "there and back at this corner, 
 run --repair --quiet
 measured "a spike in the plane, repaired" area 16
 
-# Crossings that turning and area do not give away.
-printf 'x y\n1 0\n1 6\n0 6\n6 4\n0 0\n' > in
+# Crossings that turning and area do not give away: a loop to the left, and one to the right.
+printf 'x y\n0 0\n3 0\n3 1\n2 1\n2 -1\n6 -1\n6 -2\n5 -2\n5 0\n8 0\n8 8\n0 8\n' > in
 run
 refused "a crossing with turning number one" crosses_itself 2 ": the edges from lines 2 and "
 run --crossings never

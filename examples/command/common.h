@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../beyond/curve.h" /* here, before options is a type */
 #include "harmless.h"
 
 #if defined(__GNUC__)

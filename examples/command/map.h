@@ -360,7 +360,7 @@ static void put_tooltip(const drawing *d, const picture *g, const shape *s)
         fprintf(d->file, ": mu_%d = ", d->at->rank);
         put_decimals(d->file, mu_here(d, g, s), 4);
     } else
-        fprintf(d->file, ": %s", surfmink_curve_status_name(s->status));
+        fprintf(d->file, ": %s", status_name(s->status));
     fputs("</title>", d->file);
 }
 

@@ -9,7 +9,7 @@
 /* What may be wrong with an outline beyond enum surfmink_status: what only a file can tell, or only a search. */
 enum fault { FAULT_BAD_ORDER = 1000, FAULT_SEVERAL_RINGS, FAULT_SHORT_EDGE, FAULT_SPIKE };
 
-static const char *status_name(int status)
+static inline const char *status_name(int status)
 {
     switch (status) {
     case FAULT_BAD_ORDER: return "bad_order";
@@ -20,7 +20,7 @@ static const char *status_name(int status)
     }
 }
 
-static const char *status_text(int status)
+static inline const char *status_text(int status)
 {
     switch (status) {
     case FAULT_BAD_ORDER: return "k is no order: it is not whole, or twice the same, within this outline";

@@ -7,7 +7,7 @@
    unit sphere (Table 1, whose caption names the ellipsoid) and for straight chords on an ellipsoid (Table 2).
 
      1 exact     the curve itself, by Fourier series                         flower.h
-     2 polygons  q = 4, 8, ..., 1024: lengths and turning angles             surfmink_edges_sphere, _embedded, _surface
+     2 polygons  q = 4, 8, ..., 1024: lengths and turning angles             surfmink_edges
      3 printed   as the authors computed: turns one corner late ("lag"), |g - g_q| divided by 4, orders against q/2
      4 right     turns as in section 3, directions read at the middle of edge 0: order 2 */
 

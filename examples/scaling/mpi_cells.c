@@ -26,7 +26,6 @@
 
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
-#include "../beyond/curve.h"
 #include "../beyond/director.h"
 
 #include "../command/options.h"

@@ -5,7 +5,7 @@
 
    WHAT IT DOES
      Reads a triangle mesh, and cuts it where a scalar on its vertices has a given value. Out come outlines as
-     surfmink_measure_embedded wants them: corners and unit normals, one closed loop after the other.
+     surfmink_embedded wants them: corners and unit normals, one closed loop after the other.
 
    QUICK START
      mesh m;  mesh_error error;  mesh_loops loops;
@@ -13,9 +13,11 @@
      if (mesh_read(&m, "cell.off", NULL, &error) || mesh_connect(&m, &error) || mesh_normals(&m, &error) ||
          mesh_read_field(&m, "height.txt", &field, NULL, &error) ||
          mesh_level_set(&m, field, 0.5, MESH_BELOW, &loops, &error)) puts(error.text);
-     for (k = 0; k < loops.loops; ++k)
-         surfmink_measure_embedded(loops.corner + 3 * loops.start[k], loops.normal + 3 * loops.start[k],
-                                   loops.start[k + 1] - loops.start[k], 6, mu, NULL, NULL, NULL);
+     for (k = 0; k < loops.loops; ++k) {
+         surfmink_outline loop = surfmink_embedded(loops.corner + 3 * loops.start[k], loops.normal + 3 * loops.start[k],
+                                                   loops.start[k + 1] - loops.start[k]);
+         surfmink_measure(&loop, 6, mu, NULL, NULL, NULL);
+     }
 
    DATA FLOW (sections of this file, in order)
      1 read      file -> vertices, triangles             every format of meshfile.h; or mesh_sphere builds them
