@@ -1,7 +1,7 @@
 # surfmink is one header: copy surfmink.h, there is nothing to build. This file builds what stands around it.
 #
-#   make            the commands: .build/surfmink, .build/levelset, .build/tissue, .build/relax
-#   make demo       measures countries, the H3 grid and a tissue; pictures in .build/demo/
+#   make            the commands: surfmink levelset outlines patic tissue relax, in .build/
+#   make demo       measures countries, the H3 grid, a tissue and an image; pictures in .build/demo/
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make pictures   the pictures of docs/theory.md, and the numbers behind them, in .build/pictures/
 #   make playground  docs/playground.html, a page to play with; needs clang and lld
@@ -41,7 +41,7 @@ library_link = libsurfmink.so
 LIBRARY_FLAGS = -shared -Wl,-soname,$(library_abi)
 endif
 
-commands = surfmink levelset tissue relax
+commands = surfmink levelset outlines patic tissue relax
 experiments = $(patsubst examples/paper/%.c,$(BUILD)/paper_%,$(wildcard examples/paper/*.c))
 theories = $(patsubst examples/theory/%.c,$(BUILD)/theory_%,$(wildcard examples/theory/*.c))
 theorems = $(patsubst tests/%.c,$(BUILD)/%,$(wildcard tests/test_*.c))
@@ -81,15 +81,14 @@ $(BUILD)/theory_%: examples/theory/%.c $(BUILD)/surfmink.o $(headers)
 
 shared: $(BUILD)/$(library)
 
-$(BUILD)/$(library): surfmink.h
+$(BUILD)/$(library): examples/languages/flat.c examples/languages/flat.h surfmink.h $(wildcard examples/beyond/*.h)
 	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CPPFLAGS) $(CFLAGS) -fPIC -fvisibility=hidden -DSURFMINK_IMPLEMENTATION \
-	  '-DSURFMINK_DEF=__attribute__((visibility("default"))) extern' $(LIBRARY_FLAGS) -x c $< -x none -o $@ \
-	  $(LDFLAGS) $(LDLIBS)
+	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) -fPIC -fvisibility=hidden \
+	  '-DSURFMINK_DEF=__attribute__((visibility("default"))) extern' $(LIBRARY_FLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 	ln -sf $(library) $(BUILD)/$(library_abi)
 	ln -sf $(library_abi) $(BUILD)/$(library_link)
 
-demo: $(BUILD)/surfmink
+demo: $(BUILD)/surfmink $(BUILD)/outlines $(BUILD)/image/rasterise
 	@sh examples/demo.sh $(BUILD)/surfmink $(BUILD)/demo
 
 paper: $(experiments)
@@ -112,11 +111,13 @@ $(BUILD)/playground.html: surfmink.h $(wildcard examples/playground/* examples/p
 playground: $(BUILD)/playground.html
 	cp $(BUILD)/playground.html docs/playground.html
 
-test: all $(theorems) $(theories)
+test: all $(theorems) $(theories) $(BUILD)/image/rasterise
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
 	  "sh tests/test_pictures.sh $(BUILD)/surfmink" \
 	  "sh tests/test_levelset.sh $(BUILD)/levelset $(BUILD)/surfmink" \
+	  "sh tests/test_patic.sh $(BUILD)/patic $(BUILD)/surfmink" \
+	  "sh tests/test_outlines.sh $(BUILD)" \
 	  "sh tests/test_relax.sh $(BUILD)/relax $(BUILD)/tissue $(BUILD)/surfmink" \
 	  "sh tests/test_abuse.sh $(BUILD)" \
 	  "sh tests/test_scaling.sh $(BUILD)/surfmink" \
@@ -172,12 +173,14 @@ mutants:
 check: all $(theories)
 	@sh tests/run.sh $(BUILD)/check.total "sh tests/check.sh $(BUILD)/check"
 
-install: $(BUILD)/surfmink $(BUILD)/levelset
+install: $(BUILD)/surfmink $(BUILD)/levelset $(BUILD)/outlines $(BUILD)/patic
 	install -d $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/pkgconfig \
 	  $(DESTDIR)$(PREFIX)/share/man/man1
 	install -m 644 surfmink.h $(DESTDIR)$(PREFIX)/include/surfmink.h
-	install -m 755 $(BUILD)/surfmink $(BUILD)/levelset $(DESTDIR)$(PREFIX)/bin
-	install -m 644 docs/surfmink.1 docs/levelset.1 $(DESTDIR)$(PREFIX)/share/man/man1
+	install -m 755 $(BUILD)/surfmink $(BUILD)/levelset $(BUILD)/outlines $(BUILD)/patic \
+	  $(DESTDIR)$(PREFIX)/bin
+	install -m 644 docs/surfmink.1 docs/levelset.1 docs/outlines.1 docs/patic.1 \
+	  $(DESTDIR)$(PREFIX)/share/man/man1
 	printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' '' 'Name: surfmink' \
 	  'Description: surface Minkowski tensors of closed curves, one C header' 'Version: $(VERSION)' \
 	  'Cflags: -I$${includedir}' 'Libs: -lm' > $(DESTDIR)$(PREFIX)/share/pkgconfig/surfmink.pc

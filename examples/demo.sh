@@ -1,10 +1,10 @@
 #!/bin/sh
-# demo.sh SURFMINK DIRECTORY: three real inputs, measured by the command; what to look for is printed beside the
-# numbers. The pictures go to DIRECTORY.
-surfmink=$1 pictures=$2 data=$(dirname "$0")/data
+# demo.sh SURFMINK DIRECTORY: three real inputs and an image, measured by the command; what to look for is printed beside
+# the numbers. The pictures go to DIRECTORY; outlines and image/rasterise stand beside SURFMINK.
+surfmink=$1 build=$(dirname "$1") pictures=$2 data=$(dirname "$0")/data
 mkdir -p "$pictures" || exit 1
-table=$(mktemp) flat=$(mktemp)
-trap 'rm -f "$table" "$flat"' EXIT
+table=$(mktemp) flat=$(mktemp) image=$(mktemp -d)
+trap 'rm -rf "$table" "$flat" "$image"' EXIT
 
 # A column of a table by its name: the awk programs below find mu_2 and the rest wherever they stand.
 columns='BEGIN { FS = OFS = "\t" } FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }'
@@ -57,6 +57,27 @@ awk "$columns"'
     $1 != bin && n { show() }
     { bin = $1; s[++n] = $2; f[n] = $3 }
     END { show() }'
+echo
+
+echo "4. An image: 400 cells on an ellipsoid, rasterised into a chart. Are they found as they are?"
+"$build/image/rasterise" ellipsoid 20 "$image" || exit 1
+"$surfmink" "$image/exact.tsv" > "$table" || exit 1
+printf "   %-34s %5s %9s %9s %9s %9s\n" "" cells "rms mu_2" "rms mu_4" "rms mu_6" "bias mu_6"
+# recipe NAME POINTS PASSES: against the exact cells in $table
+recipe() {
+    "$build/outlines" "$image/labels.npy" --positions "$image/positions.npy" --normals "$image/normals.npy" --wrap x \
+        --points "$2" 2> "$image/said" | "$surfmink" --smooth "$3" > "$flat"
+    awk -v name="$1" "$columns"'
+        FNR == 1 { ++file; next }
+        file == 1 { for (p = 2; p <= 6; p += 2) mu[$1, p] = $at["mu_" p]; next }
+        $at["status"] == "ok" { n++; for (p = 2; p <= 6; p += 2) { d = $at["mu_" p] - mu[$1, p]; s[p] += d * d; b[p] += d } }
+        END { printf "   %-34s %5d %9.3f %9.3f %9.3f %+9.3f\n", name, n, sqrt(s[2] / n), sqrt(s[4] / n), sqrt(s[6] / n),
+                     b[6] / n }' "$table" "$flat"
+}
+recipe "pixels, 1 pass of smoothing" pixels 1
+recipe "pixels, 8 passes" pixels 8
+recipe "straight lines between junctions" junctions 0
+recipe "curves between junctions" curve 0
 echo
 echo "pictures: $pictures/h3.svg h3_mu.svg countries.svg tissue.svg tissue_ranks.svg tissue_mu.svg tissue_scatter.svg"
 echo "polygons in space, for ParaView, MeshLab or Blender: $pictures/tissue.ply"

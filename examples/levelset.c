@@ -10,6 +10,7 @@
 
    It only reads arguments, calls surfaces/mesh.h, and prints. */
 
+#include "command/harmless.h"
 #include "surfaces/mesh.h"
 
 #include <errno.h>
@@ -17,7 +18,7 @@
 #define PI 3.14159265358979323846
 
 static const char help[] =
-    "levelset - outlines where a scalar on a triangle mesh has a given value, as a table for surfmink\n"
+    "levelset - outlines where a scalar on a mesh has a given value, as a table for surfmink\n"
     "\n"
     "EXAMPLES\n"
     "  levelset mesh.off field.txt --at 0.5 | surfmink                  the parts of the mesh where field < 0.5\n"
@@ -28,14 +29,19 @@ static const char help[] =
     "\n"
     "USAGE\n"
     "  levelset [OPTIONS] MESH FIELD --at V [--at V ...]\n"
+    "  levelset [OPTIONS] MESH --field NAME --at V [--at V ...]\n"
     "  levelset [OPTIONS] MESH --function NAME [--at V ...]\n"
     "\n"
-    "  MESH    triangles, as OFF, OBJ or ascii PLY (told apart by what is in the file); - is standard input\n"
-    "  FIELD   one number a line for each vertex of MESH, in its order; blank lines and what follows a # are skipped\n"
+    "  MESH    a mesh of triangles or polygons, as OFF, OBJ, PLY, STL or legacy VTK (told apart by what is in the\n"
+    "          file); - is standard input. Polygons are split into triangles, copies of vertices at the boundary\n"
+    "          joined, faces that run against their neighbours turned round; standard error says so\n"
+    "  FIELD   one number a line for each vertex of MESH, in its order; blank lines and what follows a # are skipped.\n"
+    "          nan: no value; the triangles there are a hole\n"
     "\n"
     "OPTIONS (--option V or --option=V)\n"
     "  --at V                the value to cut at, as often as you like (0 if there is a --function and no --at)\n"
     "  --inside below|above  which part is outlined, and has its area measured: field < V (default) or field >= V\n"
+    "  --field NAME          instead of FIELD, a scalar that the vertices have in a PLY or VTK file\n"
     "  --function NAME       instead of FIELD, a function of the place: x, y, z, or flower[:R0,A,OMEGA,X0,Y0], which\n"
     "                        is negative inside the curve theta = X0 + r cos t, phi = Y0 + r sin t with\n"
     "                        r = R0 - A sin(OMEGA t), angles seen from the origin (default 0.5,0.1,4,pi/2,pi/4)\n"
@@ -60,7 +66,9 @@ static const char help[] =
 
 static int complain(const char *what, const char *about)
 {
-    fprintf(stderr, "levelset: %s%s%s (levelset --help shows examples)\n", what, about ? ": " : "", about ? about : "");
+    fprintf(stderr, "levelset: %s%s", what, about ? ": " : "");
+    put_harmless(stderr, about ? about : "");
+    fputs(" (levelset --help shows examples)\n", stderr);
     return 1;
 }
 
@@ -128,12 +136,6 @@ static const char *shortest(double x)
     return text;
 }
 
-/* A file name in a comment: it must not end the line. */
-static void print_name(const char *name)
-{
-    for (; *name; ++name) putchar((unsigned char)*name < ' ' ? '?' : *name);
-}
-
 static void print_outlines(const mesh_loops *loops, const double *level, size_t levels, int digits)
 {
     size_t l, k, i, loop = 0;
@@ -164,7 +166,7 @@ static void print_areas(const mesh_loops *loops, const double *level, size_t lev
 typedef struct {
     const char *file[2]; /* MESH and FIELD; without --subdivide the first is the mesh */
     int files;
-    const char *subdivide, *function_text;
+    const char *subdivide, *field, *function_text;
     function f;
     double *level;
     size_t levels;
@@ -174,7 +176,7 @@ typedef struct {
 
 static int parse(int count, char **argument, options *o)
 {
-    int i;
+    int i, values;
     for (i = 1; i < count; ++i) {
         char *name = argument[i], *value = strchr(name, '='), *end;
         if (name[0] == '-' && value)
@@ -191,7 +193,7 @@ static int parse(int count, char **argument, options *o)
             else
                 o->area = 1;
         } else if (strcmp(name, "--at") != 0 && strcmp(name, "--inside") != 0 && strcmp(name, "--function") != 0 &&
-                   strcmp(name, "--subdivide") != 0 && strcmp(name, "--digits") != 0) {
+                   strcmp(name, "--field") != 0 && strcmp(name, "--subdivide") != 0 && strcmp(name, "--digits") != 0) {
             return complain("unknown option", name);
         } else if (!value && i + 1 == count) {
             return complain("a value is missing behind", name);
@@ -203,6 +205,8 @@ static int parse(int count, char **argument, options *o)
                 o->inside = strcmp(value, "above") != 0 ? MESH_BELOW : MESH_ABOVE;
                 if (o->inside == MESH_BELOW && strcmp(value, "below") != 0)
                     return complain("--inside wants below or above, got", value);
+            } else if (!strcmp(name, "--field")) {
+                o->field = value;
             } else if (!strcmp(name, "--function")) {
                 o->function_text = value;
                 if (!parse_function(value, &o->f))
@@ -224,9 +228,13 @@ static int parse(int count, char **argument, options *o)
         }
     }
     if (!o->subdivide && o->files == 0) return complain("there is no mesh", NULL);
-    if (o->files < !o->subdivide + !o->function_text) return complain("there is no FIELD and no --function", NULL);
-    if (o->files > !o->subdivide + !o->function_text)
-        return complain("FIELD and --function, or MESH and --subdivide, exclude each other", o->file[o->files - 1]);
+    if (o->field && (o->subdivide || o->function_text))
+        return complain("--field is of a MESH in a file, without --function", o->field);
+    values = o->function_text || o->field;
+    if (o->files < !o->subdivide + !values) return complain("there is no FIELD, no --field and no --function", NULL);
+    if (o->files > !o->subdivide + !values)
+        return complain("FIELD, --field and --function, or MESH and --subdivide, exclude each other",
+                        o->file[o->files - 1]);
     if (o->files == 2 && !strcmp(o->file[0], "-") && !strcmp(o->file[1], "-"))
         return complain("standard input is either MESH or FIELD", NULL);
     if (!o->levels && !o->function_text) return complain("there is no --at", NULL);
@@ -234,21 +242,73 @@ static int parse(int count, char **argument, options *o)
     return 0;
 }
 
+/* What was done to the mesh to make it a surface. */
+static void report_mesh(const mesh *m)
+{
+    char text[200];
+    if (m->joined) {
+        snprintf(text, sizeof text, ": %lu vertices are copies of others: joined\n", (unsigned long)m->joined);
+        put_harmless(stderr, m->name);
+        fputs(text, stderr);
+    }
+    if (m->turned) {
+        snprintf(text, sizeof text, ":%lu: runs against its neighbours; %lu such %s turned round\n", m->first_turned,
+                 (unsigned long)m->turned, m->turned == 1 ? "face is" : "faces are");
+        put_harmless(stderr, m->name);
+        fputs(text, stderr);
+    }
+    if (m->ignored) {
+        put_harmless(stderr, m->name);
+        fputs(": its normals contradict its faces, or each other: not used; means over the faces are\n", stderr);
+    }
+}
+
+/* Copies of a vertex have one value, which is that of the first. */
+static int check_copies(const mesh *m, const double *field, mesh_error *error)
+{
+    size_t v;
+    for (v = 0; m->joint && v < m->vertices; ++v)
+        if (field[v] < field[m->joint[v]] || field[v] > field[m->joint[v]])
+            return mesh__fail(error, MESH_MALFORMED, m->name, 0,
+                              "vertices %lu and %lu (from 0) are one point with two values: %g and %g",
+                              (unsigned long)m->joint[v], (unsigned long)v, field[m->joint[v]], field[v]);
+    return MESH_OK;
+}
+
+/* NaN is no value: the triangles there are a hole. */
+static void cut_holes(mesh *m, double *field, const char *name, size_t line)
+{
+    size_t v = 0, left_out;
+    while (v < m->vertices && !mesh__is_nan(field[v])) ++v;
+    if (v == m->vertices) return;
+    left_out = mesh_cut_holes(m, field);
+    put_harmless(stderr, name);
+    if (line) fprintf(stderr, ":%lu", (unsigned long)line);
+    fprintf(stderr, ": vertex %lu (from 0) is the first without a value; a hole of %lu triangles\n", (unsigned long)v,
+            (unsigned long)left_out);
+}
+
 /* The mesh, ready for level sets, and its field. Both files are read first: their errors come before others. */
 static int prepare(const options *o, mesh *m, double **field, mesh_error *error)
 {
-    const char *field_file = o->function_text ? NULL : o->file[!o->subdivide];
-    size_t v;
-    int status = o->subdivide ? mesh_sphere(m, o->base, o->refinements, error) : mesh_read(m, o->file[0], error);
-    if (!status && field_file) status = mesh_read_field(m, field_file, field, error);
-    if (!status && o->flip) mesh_flip(m);
-    if (!status) status = mesh_connect(m, error);
-    if (!status) status = mesh_normals(m, error);
-    if (status || field_file) return status;
-    *field = (double *)malloc((m->vertices + 1) * sizeof **field);
-    if (!*field) return mesh__no_memory(error, NULL);
-    for (v = 0; v < m->vertices; ++v) (*field)[v] = evaluate(&o->f, m->vertex + 3 * v);
-    return MESH_OK;
+    const char *field_file = o->function_text || o->field ? NULL : o->file[!o->subdivide];
+    size_t v, hole = 0;
+    int status =
+        o->subdivide ? mesh_sphere(m, o->base, o->refinements, error) : mesh_read(m, o->file[0], o->field, error);
+    if (!status && field_file) status = mesh_read_field(m, field_file, field, &hole, error);
+    if (status) return status;
+    if (!field_file) {
+        *field = (double *)malloc((m->vertices + 1) * sizeof **field);
+        if (!*field) return mesh__no_memory(error, NULL);
+        for (v = 0; v < m->vertices; ++v) (*field)[v] = o->field ? m->field[v] : evaluate(&o->f, m->vertex + 3 * v);
+    }
+    status = check_copies(m, *field, error);
+    if (status) return status;
+    report_mesh(m);
+    cut_holes(m, *field, field_file ? field_file : m->name, hole);
+    if (o->flip) mesh_flip(m);
+    status = mesh_connect(m, error);
+    return status || m->normal ? status : mesh_normals(m, error);
 }
 
 /* Writes out all levels; returns how many curves were left out at boundaries. */
@@ -257,9 +317,9 @@ static size_t print(const options *o, const mesh *m, const mesh_loops *loops)
     const char *mesh_name = o->subdivide ? o->subdivide : o->file[0];
     size_t l, open = 0;
     printf("# levelset of ");
-    print_name(o->function_text ? o->function_text : o->file[!o->subdivide]);
+    put_harmless(stdout, o->function_text ? o->function_text : o->field ? o->field : o->file[!o->subdivide]);
     printf(" on ");
-    print_name(mesh_name);
+    put_harmless(stdout, mesh_name);
     printf(" (%lu vertices, %lu triangles, %lu boundary edges, longest edge %.6g), inside %s\n",
            (unsigned long)m->vertices, (unsigned long)m->triangles, (unsigned long)m->boundary_edges,
            mesh_longest_edge(m), o->inside == MESH_BELOW ? "below" : "above");
@@ -269,10 +329,11 @@ static size_t print(const options *o, const mesh *m, const mesh_loops *loops)
                loops[l].area, (unsigned long)loops[l].open);
         if (loops[l].collapsed) printf(", collapsed loops left out %lu", (unsigned long)loops[l].collapsed);
         putchar('\n');
-        if (loops[l].open)
-            fprintf(stderr, "%s: level %s: %lu %s at the boundary of the mesh: left out\n", mesh_name,
-                    shortest(o->level[l]), (unsigned long)loops[l].open,
-                    loops[l].open == 1 ? "curve ends" : "curves end");
+        if (loops[l].open) {
+            put_harmless(stderr, mesh_name);
+            fprintf(stderr, ": level %s: %lu %s at the boundary of the mesh: left out\n", shortest(o->level[l]),
+                    (unsigned long)loops[l].open, loops[l].open == 1 ? "curve ends" : "curves end");
+        }
         open += loops[l].open;
     }
     if (o->area)
@@ -296,13 +357,18 @@ static int run(const options *o)
     for (l = 0; !status && l < o->levels; ++l)
         status = mesh_level_set(&m, field, o->level[l], o->inside, &loops[l], &error);
     if (status) {
-        fprintf(stderr, "%s\n", error.text);
+        put_harmless(stderr, error.text);
+        fputc('\n', stderr);
     } else {
-        if (!m.boundary_edges && mesh_volume(&m) < 0)
-            fprintf(stderr, "%s: inside out, its normals point inwards: --flip turns it round\n", mesh_name);
-        if (m.pinched)
-            fprintf(stderr, "%s: vertices where sheets touch that share no edge: %lu (normals there are a mean)\n",
-                    mesh_name, (unsigned long)m.pinched);
+        if (!m.boundary_edges && m.triangles && mesh_volume(&m) < 0) {
+            put_harmless(stderr, mesh_name);
+            fputs(": inside out, its normals point inwards: --flip turns it round\n", stderr);
+        }
+        if (m.pinched) {
+            put_harmless(stderr, mesh_name);
+            fprintf(stderr, ": vertices where sheets touch that share no edge: %lu (normals there are a mean)\n",
+                    (unsigned long)m.pinched);
+        }
         open = print(o, &m, loops);
         if (!is_written()) status = MESH_UNREADABLE;
     }
@@ -318,7 +384,7 @@ int main(int count, char **argument)
     options o;
     int i, status;
     for (i = 1; i < count; ++i)
-        if (!strcmp(argument[i], "--help")) {
+        if (!strcmp(argument[i], "--help") || !strcmp(argument[i], "-h")) {
             fputs(help, stdout);
             return !is_written();
         }

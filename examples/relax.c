@@ -9,7 +9,7 @@
    with A0 the area of the body over the number of cells. The last term, with d = sqrt(A0)/20, only counts for short
    edges: cells do not change neighbours here, and at an edge that vanishes E would have a kink. The corners follow the
    force -dE/dx, along the surface, until nothing is to be gained. Nobody writes down how mu_p changes with the corners:
-   surfmink_batch_gradient_embedded does.
+   surfmink_batch_gradient of beyond/gradient.h does.
 
      1 read     a table of cells on an ellipsoid, such as tissue.c makes; corners that agree to the last digit are one
      2 energy   measure all cells in one batch
@@ -18,13 +18,15 @@
      5 write    the same table; read again, it has the same energy
 
    compile   cc examples/relax.c -o relax -lm
-   run       ./tissue --cells 60 --relax 1 > wild.tsv
-             ./relax --log energy.tsv < wild.tsv > calm.tsv
+   run       ./tissue --cells 60 --relax 1 --axes 90,60,50 > wild.tsv
+             ./relax --axes 90,60,50 --log energy.tsv < wild.tsv > calm.tsv
              ./surfmink --color-by 6 --unit um --svg calm.svg calm.tsv */
 
 #define SURFMINK_IMPLEMENTATION
 #include "../surfmink.h"
 
+#include "beyond/gradient.h"
+#include "command/harmless.h"
 #include "surfaces/ellipsoid.h"
 
 #include <errno.h>
@@ -69,7 +71,9 @@ static void cross3(const double *u, const double *v, double *w)
 
 static void refuse(const char *what, const char *problem)
 {
-    fprintf(stderr, "relax: %s: %s (see relax --help)\n", what, problem);
+    fputs("relax: ", stderr);
+    put_harmless(stderr, what);
+    fprintf(stderr, ": %s (see relax --help)\n", problem);
     exit(EXIT_FAILURE);
 }
 
@@ -217,6 +221,7 @@ static double short_edges(size_t c, double *by_corner)
 /* HUGE_VAL where a cell cannot be measured: no step may lead there. */
 static double energy(const double *x)
 {
+    surfmink_outline all = surfmink_embedded(corner, normal, offset[cells]);
     surfmink_results out;
     double sum = 0;
     size_t c;
@@ -225,7 +230,7 @@ static double energy(const double *x)
     out.length = length;
     out.mu = mu;
     place(x);
-    if (surfmink_batch_embedded(corner, normal, offset, cells, rank, &out, NULL) > 0) return HUGE_VAL;
+    if (surfmink_batch(&all, offset, cells, rank, &out, NULL) > 0) return HUGE_VAL;
     for (c = 0; c < cells; ++c) {
         double size, around = length[c] / sqrt(cell_area) - shape;
         area[c] = area_of(c, 0, NULL);
@@ -241,13 +246,17 @@ static double energy(const double *x)
 /* The gradient of E by the shared corners, along the surface. The energy there has just been taken. */
 static void gradient(const double *x, double *by_vertex)
 {
-    static double by_mu[MOST_CELLS * (MOST_RANK + 1)], by_length[MOST_CELLS], scratch[6 * MOST_CORNERS];
+    static double by_mu[MOST_CELLS * (MOST_RANK + 1)], by_length[MOST_CELLS];
+    static double scratch[4 * MOST_CORNERS + (2 * MOST_RANK + 2) * MOST_CELLS];
     static double by_corner[3 * MOST_CORNERS], by_normal[3 * MOST_CORNERS];
     surfmink_weights weights = {NULL, NULL, NULL, NULL, 0};
-    surfmink_results nothing_new;
+    surfmink_outline all = surfmink_embedded(corner, normal, offset[cells]);
+    surfmink_gradients to;
     double hessian[6], up[3], part;
     size_t c, i, k, v;
-    memset(&nothing_new, 0, sizeof nothing_new);
+    memset(&to, 0, sizeof to);
+    to.by_corner = by_corner;
+    to.by_normal = by_normal;
     weights.mu = by_mu;
     weights.length = by_length;
     for (c = 0; c < cells; ++c) { /* the perimeter is not linear in E: its weight is what it is now */
@@ -255,8 +264,7 @@ static void gradient(const double *x, double *by_vertex)
         by_length[c] = perimeter_stiffness * (length[c] / sqrt(cell_area) - shape) / sqrt(cell_area);
     }
     place(x);
-    surfmink_batch_gradient_embedded(corner, normal, offset, cells, rank, &weights, &nothing_new, by_corner, by_normal,
-                                     scratch);
+    surfmink_batch_gradient(&all, offset, cells, rank, &weights, &to, scratch);
     for (c = 0; c < cells; ++c) {
         area_of(c, (area[c] / cell_area - 1) / cell_area, by_corner);
         short_edges(c, by_corner);
@@ -343,7 +351,7 @@ static void write_cells(double final)
     for (c = 0; c < cells; ++c)
         for (i = offset[c]; i < offset[c + 1]; ++i) {
             double size = sqrt(dot3(normal + 3 * i, normal + 3 * i));
-            fputs(cell_name[c], stdout);
+            put_harmless(stdout, cell_name[c]);
             for (k = 0; k < 3; ++k) printf("\t%.17g", corner[3 * i + k]);
             for (k = 0; k < 3; ++k) printf("\t%.17g", normal[3 * i + k] / size);
             putchar('\n');
@@ -434,7 +442,9 @@ int main(int argc, char **argv)
     if (!(energy(position) < HUGE_VAL))
         for (i = 0; (size_t)i < cells; ++i)
             if (status[i] != SURFMINK_OK) {
-                fprintf(stderr, "relax: cell %s: %s\n", cell_name[i], surfmink_strerror(status[i]));
+                fputs("relax: cell ", stderr);
+                put_harmless(stderr, cell_name[i]);
+                fprintf(stderr, ": %s\n", surfmink_strerror(status[i]));
                 return EXIT_FAILURE;
             }
     if (log_name && !(log = fopen(log_name, "w"))) refuse(log_name, strerror(errno));

@@ -6,12 +6,14 @@
 
    It is a filter, a batch of polygons at a time:
      0 options  what the user asked for                                   command/options.h
-     1 read     a file -> blocks -> lines -> numbers -> a polygon         command/lines.h number.h table.h mesh.h read.h
-     2 repair   a polygon -> what the options make of it -> into a batch  command/polygon.h repair.h batch.h
+     1 read     a file -> blocks -> lines -> numbers -> a polygon         command/lines.h number.h columns.h table.h
+                or a mesh or GeoJSON -> polygons                          command/mesh.h json.h geojson.h antimeridian.h
+                                                                          estimate.h read.h
+     2 repair   a polygon -> what the options make of it -> into a batch  command/polygon.h repair.h batch.h parts.h
      3 measure  a batch -> L, S, area, mu, theta of each polygon          command/measure.h
      4 write    -> one line of a table, or a JSON object, for each        command/write.h refusal.h
      5 at the end, if asked for: a summary, pictures, polygons in space   command/summary.h picture.h svg.h map.h
-                                                                          horizon.h chart.h ply.h
+                                                                          horizon.h chart.h ply.h; picture/
    A batch is measured when it is full, when the file ends, when the input pauses, and before any complaint. */
 
 /* Only for isatty, read, poll and stat: to tell a terminal from a file, to take what a pipe holds, to know a file by
@@ -33,11 +35,12 @@
 
 #define SURFMINK_IMPLEMENTATION
 #include "../surfmink.h"
+#include "beyond/curve.h"
+#include "beyond/director.h"
 
 #include "command/options.h"
 #include "command/read.h"
-#include "command/repair.h"
-#include "command/batch.h"
+#include "command/parts.h"
 #include "command/measure.h"
 #include "command/write.h"
 #include "command/refusal.h"
@@ -51,6 +54,7 @@ typedef struct run {
     options options;
     powers_of_ten powers;
     polygon polygon; /* that is being read */
+    polygon part;    /* of it */
     batch batch;
     measures measures;
     summary summary;
@@ -83,7 +87,9 @@ static void show_progress(run *r)
     now = time(NULL);
     if (difftime(now, r->started) < 2 || difftime(now, r->shown) < 1) return;
     r->shown = now;
-    fprintf(stderr, "\r\033[K%s: %lu polygons, %lu refused", r->name, r->measured + r->refused, r->refused);
+    fputs("\r\033[K", stderr);
+    put_harmless(stderr, r->name);
+    fprintf(stderr, ": %lu polygons, %lu refused", r->measured + r->refused, r->refused);
     fflush(stderr);
     progress_is_shown = 1;
 }
@@ -137,7 +143,7 @@ static void check_surface(const run *r, const reader *in, const char *name)
     const options *o = &r->options;
     int surface = in->surface;
     int first = r->surface == AS_THE_COLUMNS_SAY;
-    if (o->order == 4 && in->is_mesh && surface == EMBEDDED)
+    if (o->order == 4 && in->mesh.mean)
         die("%s: --order 4 needs exact normals, and those of a mesh are means; --surface tells another surface", name);
     if (o->radius > 0 && surface != SPHERE) die("%s: --radius is for spheres, and this is none", name);
     if (o->views > 0 && surface == PLANE) die("%s: --view is for surfaces in space, and this is a plane", name);
@@ -150,15 +156,14 @@ static void check_surface(const run *r, const reader *in, const char *name)
 static void process_file(run *r, const char *name)
 {
     reader in;
-    r->name = name;
+    r->name = current_file = name;
     open_reader(&in, name, &r->powers, &r->options);
     check_surface(r, &in, name);
     if (r->surface == AS_THE_COLUMNS_SAY && !r->options.json)
         write_row(stdout, &r->options, &r->powers, NAMES, in.surface, "", NULL);
     r->surface = in.surface;
     while (next_polygon(&in, &r->polygon)) {
-        repair_polygon(&r->polygon, &r->options);
-        add_to_batch(&r->batch, &r->polygon);
+        add_parts(&r->batch, &r->polygon, &r->part, &r->options);
         if (is_full(&r->batch, r->options.max_rank)) write_held_back();
     }
     write_held_back();
@@ -177,6 +182,7 @@ static void begin_run(run *r, int argc, char **argv)
     begin_summary(&r->summary, r->options.max_rank);
     held_back.write = process_batch;
     held_back.context = r;
+    says_nothing = r->options.quiet;
     r->surface = AS_THE_COLUMNS_SAY;
     r->watched = is_watched(&r->options);
     r->started = r->shown = time(NULL);
@@ -201,6 +207,7 @@ static void free_run(run *r)
 {
     free(r->options.file);
     free_polygon(&r->polygon);
+    free_polygon(&r->part);
     free_batch(&r->batch);
     end_measures(&r->measures);
     end_summary(&r->summary);

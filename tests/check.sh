@@ -225,7 +225,7 @@ check "freestanding, with sqrt replaced" "
     nm -u $here/freestanding.o | grep -q my_sqrt"
 
 # --- the programs around it -------------------------------------------------------------------------------------------
-for program in examples/*.c examples/paper/*.c; do
+for program in examples/*.c examples/paper/*.c examples/image/*.c; do
     check "gcc, $program" "gcc -std=c99 $wall_c -O1 $declared -I. -c $program -o $here/program.o"
     check "clang, $program" "clang -std=c99 $wall_c $declared -I. -c $program -o $here/program.o"
 done
@@ -250,7 +250,7 @@ all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
 singles=$(echo "$some" | sed 's|tests/test_batch.c ||')
 # what valgrind takes too long for, or whose long double has not the digits: test_gradient
-slow='batch|convergence|curve|gradient|long|measure|mesh|paper|surfaces'
+slow='batch|convergence|curve|gradient|long|measure|mesh|outlines|paper|surfaces'
 quick=$(echo "$all" | tr ' ' '\n' | grep -vE "test_($slow)" | tr '\n' ' ')
 theorems() {
     programs=$1 fewer=$2 runner=$3
@@ -384,7 +384,7 @@ for unit in "$work/whole.c" examples/*.c; do
             --suppressions-list=.cppcheck $only -I. $unit"
 done
 check "gcc -fanalyzer, the header" "gcc -std=c99 -O1 -fanalyzer -I. -c $work/whole.c -o $here/unit.o"
-for unit in examples/levelset.c examples/tissue.c; do
+for unit in examples/levelset.c examples/outlines.c examples/tissue.c; do
     check "gcc -fanalyzer, ${unit##*/}" "gcc -std=c99 -O1 -fanalyzer $declared -I. -c $unit -o $here/unit.o"
 done
 
@@ -406,6 +406,9 @@ check "worst errors against quadruple precision" "
 check "worst errors of smooth curves against quadruple precision" "
     gcc -O2 -I. tests/accuracy/curve.c -o $here/curve -lquadmath -lm && $(quietly "$here/curve 20")"
 
+# --- the reference values: a random sample, made again in 50 digits ---------------------------------------------------
+check "the reference values, a sample" "$(quietly "/usr/bin/python3 tests/reference/reference.py --sample")"
+
 # --- the commands under sanitizers ------------------------------------------------------------------------------------
 object gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. $object"
@@ -416,6 +419,11 @@ check "the command's contract, with sanitizers" "$gcc_sanitize \
 check "levelset's contract, with sanitizers" "$gcc_sanitize \
     examples/levelset.c -o $here/levelset -lm &&
     $(quietly "sh tests/test_levelset.sh $here/levelset .build/surfmink")"
+check "outlines' contract, with sanitizers" "mkdir -p $here/image &&
+    $gcc_sanitize examples/outlines.c -o $here/outlines -lm &&
+    $gcc_sanitize examples/image/rasterise.c -o $here/image/rasterise -lm &&
+    gcc -std=c99 -O2 -I. tests/test_outlines.c $object -o $here/test_outlines -lm &&
+    gcc -std=c99 -O2 -I. examples/surfmink.c -o $here/surfmink -lm && $(quietly "sh tests/test_outlines.sh $here")"
 check "relax's contract, with sanitizers" "$gcc_sanitize \
     examples/relax.c -o $here/relax -lm &&
     $(quietly "sh tests/test_relax.sh $here/relax .build/tissue .build/surfmink")"

@@ -81,6 +81,21 @@ element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n
 cut_short "a PLY mesh" mesh.ply 1 "$levelset" mesh.ply --function z --at 0.5
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' > mesh.obj
 cut_short "an OBJ mesh" mesh.obj 1 "$levelset" mesh.obj --function z --at 0.5
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' > mesh.obj
+cut_short "an OBJ mesh for surfmink" mesh.obj 1 "$surfmink" mesh.obj
+printf 'ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\nproperty char z
+element face 1\nproperty list uchar uchar vertex_index\nend_header\n\0\0\0\1\0\0\0\1\0\3\0\1\2' > mesh.ply
+cut_short "a binary PLY" mesh.ply 0 "$levelset" mesh.ply --function z --at 0.5
+cut_short "a binary PLY for surfmink" mesh.ply 0 "$surfmink" mesh.ply
+one='\0\0\200\077' nil='\0\0\0\0'
+printf "%80s\1\0\0\0$nil$nil$nil$nil$nil$nil$one$nil$nil$nil$one$nil\0\0" '' > mesh.stl
+cut_short "a binary STL" mesh.stl 0 "$levelset" mesh.stl --function z --at 0.5
+cut_short "a binary STL for surfmink" mesh.stl 0 "$surfmink" mesh.stl
+printf 'solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n' > mesh.stl
+cut_short "an STL" mesh.stl 1 "$levelset" mesh.stl --function z --at 0.5
+printf '# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0
+POLYGONS 1 4\n3 0 1 2\n' > mesh.vtk
+cut_short "a VTK mesh" mesh.vtk 1 "$levelset" mesh.vtk --function z --at 0.5
 printf '0 # z\n0\n0\n0\n1e0\n-1\n' > field.txt
 cut_short "a field" field.txt 1 "$levelset" mesh.off field.txt --at 0.5
 
@@ -100,7 +115,7 @@ run "$surfmink"
 stopped "what is quoted does not command the terminal" "-:2: '?[2J' in column 'y' is not a number"
 printf 'OFF\n1 1\n0 0 \033[2J\n' > in
 run "$levelset" - --function z
-stopped "nor does what levelset quotes" "-:3: expected a finite z, got '?[2J'"
+stopped "nor does what levelset quotes" "-:3: expected a number z, got '?[2J'"
 printf '\377\376c\0e\0l\0l\0' > in
 run "$surfmink"
 stopped "UTF-16" "-:1: a zero byte"
@@ -178,11 +193,7 @@ v='v 0 0 0\nv 1 0 0\nv 0 1 0\n'
 for index in 3 4294967295 4294967296 9223372036854775808 99999999999999999999999; do
     mesh "OFF, index $index" "OFF\n3 1\n${corners}3 0 1 $index\n" bad.off "6: there is no vertex"
     run "$surfmink" bad.off
-    case $index in
-    ??????????????????????*) want="'$index' is not the index of a vertex" ;;
-    *) want="there is no vertex $index" ;;
-    esac
-    stopped "the same for surfmink" "bad.off:6: $want"
+    stopped "the same for surfmink" "bad.off:6: there is no vertex"
 done
 for index in 4 -4 4294967297 -4294967297 9223372036854775808 -9223372036854775809; do
     mesh "OBJ, index $index" "${v}f 1 2 $index\n" bad.obj "4: there is no vertex"
@@ -190,20 +201,23 @@ done
 mesh "OBJ, index 0" "${v}f 1 2 0\n" bad.obj "4: OBJ counts vertices from 1"
 mesh "OFF, a negative index" "OFF\n3 1\n${corners}3 0 1 -1\n" bad.off "6: there is no vertex -1"
 mesh "OFF, a fraction" "OFF\n3 1\n${corners}3 0 1 1.5\n" bad.off "6: expected the number of a vertex, got '1.5'"
-mesh "OFF, one corner twice" "OFF\n3 1\n${corners}3 0 1 1\n" bad.off "6: a triangle has vertex 1 twice"
-mesh "OFF, an infinite corner" "OFF\n3 1\n0 0 inf\n" bad.off "3: expected a finite z, got 'inf'"
-mesh "OFF, a corner too large" "OFF\n3 1\n0 0 1e999\n" bad.off "3: expected a finite z, got '1e999'"
+mesh "OFF, one corner twice" "OFF\n3 1\n${corners}3 0 1 1\n" bad.off "6: a face has vertex 1 twice"
+mesh "OFF, an infinite corner" "OFF\n3 1\n0 0 1\n0 0 inf\n0 1 1\n3 0 1 2\n" bad.off "4: expected finite numbers x y z"
+mesh "OFF, a corner too large" "OFF\n3 1\n0 0 1e999\n0 0 1\n0 1 1\n3 0 1 2\n" bad.off "3: expected finite numbers x y z"
 mesh "OFF, counts too large" "OFF\n9223372036854775807 1\n" bad.off "2: expected the numbers of vertices and faces"
 mesh "OFF, a negative count" "OFF\n3 -1\n" bad.off "2: expected the numbers of vertices and faces"
 mesh "OFF, promises" "OFF\n4000000000000000000 4000000000000000000\n" bad.off "2: the file ends after 0 of"
 mesh "an edge with three triangles" "OFF\n5 3\n${corners}0 0 1\n0 0 -1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n" bad.off \
-    "10: the edge between vertices 0 and 1 (from 0) has 3 triangles: not a surface"
-mesh "a triangle twice" "OFF\n3 2\n${corners}3 0 1 2\n3 0 1 2\n" bad.off "7: the triangles at the edge"
+    "10: the edge between vertices 0 and 1 (from 0) has 3 faces: not a surface"
+mesh "a triangle twice" "OFF\n3 2\n${corners}3 0 1 2\n3 0 1 2\n" bad.off "7: face 1 has the same corners as face 0"
 mesh "a Moebius strip" "OFF\n5 5\n0 0 0\n1 0 0\n1 1 1\n0 1 2\n0 0 3\n3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n" \
-    bad.off "12: the triangles at the edge"
+    bad.off "11: the faces at the edge"
 mesh "no area" "OFF\n3 1\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n" bad.off "6: vertex 0 (from 0) has no normal"
-mesh "PLY, an index too large" "$(sed 's/^3 0 1 2/3 0 1 3/' mesh.ply)" bad.ply "13: there is no vertex 3"
-mesh "PLY, binary" "ply\nformat binary_little_endian 1.0\n" bad.ply "2: expected format ascii: binary PLY is not read"
+mesh "PLY, an index too large" "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y
+property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n${corners}3 0 1 3\n" bad.ply \
+    "13: there is no vertex 3"
+mesh "PLY, of bytes, without a mesh" "ply\nformat binary_little_endian 1.0\n" bad.ply \
+    "2: the file ends before end_header"
 
 # --- files that cannot be read ----------------------------------------------------------------------------------------
 

@@ -8,6 +8,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 
+#include "curves.h"
 #include "harness.h"
 #include "partitions.h"
 #include "shapes.h"
@@ -25,17 +26,17 @@ typedef struct measured {
 } measured;
 
 /* An outline of any kind, so that all of them can be asked the same questions. */
-enum kind { PLANE, SPHERE, EMBEDDED, CALLBACKS, KINDS };
+enum { KINDS = 4 };
 static const char *const kind_name[KINDS] = {"plane", "sphere", "embedded", "callbacks"};
 
 typedef struct outline {
-    enum kind kind;
+    enum surfmink_kind kind;
     size_t n;
     double corner[3 * FINEST], normal[3 * FINEST], radius;
     unsigned char sharp[FINEST];
 } outline;
 
-static double scratch[8 * FINEST];
+static double scratch[SURFMINK_CURVE_SCRATCH(FINEST, 100)];
 
 static int constant_curvature(void *context, const double *x, double *curvature)
 {
@@ -45,28 +46,45 @@ static int constant_curvature(void *context, const double *x, double *curvature)
     return SURFMINK_OK;
 }
 
+/* The surface belongs to the sphere by callbacks. */
+static surfmink_outline view_of(outline *o, surfmink_surface *surface)
+{
+    surfmink_outline view = surfmink_embedded(o->corner, o->normal, o->n);
+    *surface = surfmink_sphere_surface(&o->radius);
+    if (o->kind == SURFMINK_PLANE) view = surfmink_plane(o->corner, o->n);
+    if (o->kind == SURFMINK_SPHERE) view = surfmink_sphere(o->corner, o->n, o->radius);
+    if (o->kind == SURFMINK_SURFACE) view = surfmink_on_surface(surface, o->corner, o->n);
+    return view;
+}
+
+static surfmink_curve_options options_of(const outline *o, const unsigned char *sharp, int order)
+{
+    surfmink_curve_options options = {0, NULL, 0, NULL};
+    options.order = order;
+    options.sharp = sharp;
+    if (o->kind == SURFMINK_SURFACE) options.curvature_at = constant_curvature;
+    return options;
+}
+
+static surfmink_curve_results results_of(measured *m)
+{
+    surfmink_curve_results out;
+    out.mu = m->mu;
+    out.error = m->error;
+    out.g = m->g;
+    out.w = &m->w;
+    return out;
+}
+
 static measured measure_only(outline *o, const unsigned char *sharp, int order, int max_rank)
 {
     measured m;
-    surfmink_surface s = surfmink_sphere(&o->radius);
+    surfmink_surface s;
+    surfmink_outline view = view_of(o, &s);
+    surfmink_curve_options options = options_of(o, sharp, order);
+    surfmink_curve_results out = results_of(&m);
     memset(&m, 0x5a, sizeof m);
-    switch (o->kind) {
-    case PLANE:
-        m.status =
-            surfmink_curve_plane(o->corner, sharp, o->n, order, max_rank, scratch, m.mu, m.error, m.g, &m.w, &m.bad);
-        break;
-    case SPHERE:
-        m.status = surfmink_curve_sphere(o->corner, sharp, o->n, o->radius, order, max_rank, scratch, m.mu, m.error,
-                                         m.g, &m.w, &m.bad);
-        break;
-    case EMBEDDED:
-        m.status = surfmink_curve_embedded(o->corner, o->normal, sharp, o->n, order, max_rank, scratch, m.mu, m.error,
-                                           m.g, &m.w, &m.bad);
-        break;
-    default:
-        m.status = surfmink_curve_surface(&s, 0, constant_curvature, o->corner, sharp, o->n, order, max_rank, scratch,
-                                          m.mu, m.error, m.g, &m.w, &m.bad);
-    }
+    m.status = surfmink_curve(&view, &options, max_rank, scratch, &out, &m.bad);
     return m;
 }
 
@@ -77,6 +95,42 @@ static measured measure(outline *o, const unsigned char *sharp, int order)
     return m;
 }
 
+/* --- docs/beyond.md ----------------------------------------------------------------------------------------------- */
+
+/* A row of a table there: errors, and in brackets the orders of their convergence, if there are any; 0 is a dash.
+   Prints it as the page has it, and holds the page to it: errors to 8 % or a rounding, orders to 0.02. */
+static void documented(const char *key, const double *error, const double *order, int count)
+{
+    static char page[100000], line[300];
+    const char *at;
+    char *end;
+    int k;
+    FILE *file = fopen("docs/beyond.md", "r");
+    size_t size = file ? fread(page, 1, sizeof page - 1, file) : 0;
+    if (file) fclose(file);
+    page[size] = '\0';
+    sprintf(line, "\n| %s |", key);
+    at = strstr(page, line);
+    CASE("docs/beyond.md: %s", key);
+    CHECK(at != NULL || FEWER > 1);
+    if (at) at += strlen(line);
+    printf("%s", line + 1);
+    for (k = 0; k < count; ++k) {
+        if (error[k] > 0 && order)
+            printf(" %.1e (%.2f) |", error[k], order[k]);
+        else if (error[k] > 0)
+            printf(" %.1e |", error[k]);
+        else
+            printf(" - |");
+        if (!at || FEWER > 1 || !(error[k] > 0)) continue;
+        CHECK_NEAR(strtod(at + strcspn(at, "0123456789\n"), &end), error[k], 0.08 * error[k] + 5e-14);
+        at = end;
+        if (order) CHECK_NEAR(strtod(at + strcspn(at, "0123456789\n"), &end), order[k], 0.02);
+        at = end;
+    }
+    printf("\n");
+}
+
 /* --- the scheme --------------------------------------------------------------------------------------------------- */
 
 THEOREM(order_4_is_the_documented_scheme)
@@ -85,7 +139,7 @@ THEOREM(order_4_is_the_documented_scheme)
     static outline o;
     table t;
     int p, cases = 0;
-    o.kind = EMBEDDED;
+    o.kind = SURFMINK_EMBEDDED;
     table_open(&t, "tests/data/corr4_ref.tsv");
     for (; table_next(&t); ++cases) {
         measured m;
@@ -117,6 +171,8 @@ typedef struct exact {
     int bumps;          /* in the plane */
     double depth;
 } exact;
+
+static const char *const flower_name[3] = {"xs00", "xs01", "xs02"};
 
 static void flower_of(const char *which, exact *e)
 {
@@ -236,7 +292,7 @@ static void errors_of(const exact *e, const measured *m, double lead, int max_ra
 
 /* Orders of convergence between n = 1024 and 4096, of ranks up to 6, and the errors at 4096. With sharp corners: some
    are called so, always the same number, though the curve is smooth there. */
-static void orders(const exact *e, enum kind surface, enum partition kind, int order, int sharp,
+static void orders(const exact *e, enum surfmink_kind surface, enum partition kind, int order, int sharp,
                    double fitted[QUANTITIES], double fine[QUANTITIES])
 {
     static outline o;
@@ -255,10 +311,19 @@ static void orders(const exact *e, enum kind surface, enum partition kind, int o
     }
     for (q = 0; q < QUANTITIES; ++q) fitted[q] = fine[q] > 0 ? log2(coarse[q] / fine[q]) / 2 : 0;
 }
+static void converges_as_documented(const char *which, enum surfmink_kind surface, int kind, int order,
+                                    const double *fitted, double *fine)
+{
+    char key[100];
+    if (surface == SURFMINK_PLANE) fine[TURNING] = 0;
+    sprintf(key, "%s, %s, %s, order %d", which, kind_name[surface], partition_name[kind], order);
+    documented(key, fine, fitted, QUANTITIES);
+}
+
 /* Orders of L, S, mu and g on all partitions: 4 within a band. S of the plane is exact. The direction in the middle of
    edge 0, against the chord, has an error of third order if the edges beside it are unlike, or a sharp corner is next:
    that of one edge alone, which g shows and mu does not. */
-static void is_of_fourth_order(const exact *e, const char *which, enum kind surface, int sharp, double band)
+static void is_of_fourth_order(const exact *e, const char *which, enum surfmink_kind surface, int sharp, double band)
 {
     double fitted[QUANTITIES], fine[QUANTITIES];
     int kind, q;
@@ -272,64 +337,63 @@ static void is_of_fourth_order(const exact *e, const char *which, enum kind surf
             else if (fine[q] > 2e-12)
                 CHECK_NEAR(fitted[q], 4, band);
         }
-        NOTE("%s, %s, %s%s: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)  g %.1e (%.2f)", which, kind_name[surface],
-             partition_name[kind], sharp ? ", four sharp" : "", fine[LENGTH], fitted[LENGTH], fine[TURNING],
-             fitted[TURNING], fine[MU], fitted[MU], fine[COMPONENT], fitted[COMPONENT]);
+        if (!sharp) converges_as_documented(which, surface, kind, 4, fitted, fine);
     }
 }
 
-THEOREM(flowers_on_a_sphere_an_ellipsoid_and_a_torus_converge_at_fourth_order)
+THEOREM(flowers_on_three_surfaces_converge_at_fourth_order)
 {
     static exact e;
     flower_of("xs00", &e);
-    is_of_fourth_order(&e, "xs00", SPHERE, 0, 0.02);
-    is_of_fourth_order(&e, "xs00", EMBEDDED, 0, 0.02);
-    is_of_fourth_order(&e, "xs00", CALLBACKS, 0, 0.02);
+    is_of_fourth_order(&e, "flower", SURFMINK_SPHERE, 0, 0.02);
+    is_of_fourth_order(&e, "flower", SURFMINK_EMBEDDED, 0, 0.02);
+    is_of_fourth_order(&e, "flower", SURFMINK_SURFACE, 0, 0.02);
     flower_of("xs01", &e);
-    is_of_fourth_order(&e, "xs01", EMBEDDED, 0, 0.03);
+    is_of_fourth_order(&e, "flower on an ellipsoid", SURFMINK_EMBEDDED, 0, 0.03);
     flower_of("xs02", &e);
-    is_of_fourth_order(&e, "xs02", EMBEDDED, 0, 0.13); /* its petals are sharper: 1024 corners are few */
+    is_of_fourth_order(&e, "flower on a torus", SURFMINK_EMBEDDED, 0,
+                       0.13); /* its petals are sharper: 1024 corners are few */
 }
 
 THEOREM(curves_of_the_plane_converge_at_fourth_order)
 {
     static exact e;
     bumps_of(5, 0.1, &e);
-    is_of_fourth_order(&e, "five bumps", PLANE, 0, 0.01);
+    is_of_fourth_order(&e, "five bumps", SURFMINK_PLANE, 0, 0.01);
     bumps_of(3, 0.2, &e);
-    is_of_fourth_order(&e, "three bumps", PLANE, 0, 0.02);
+    is_of_fourth_order(&e, "three bumps", SURFMINK_PLANE, 0, 0.02);
 }
 
-THEOREM(a_corner_called_sharp_where_the_curve_is_smooth_costs_no_order)
+THEOREM(a_corner_marked_sharp_where_it_is_smooth_costs_no_order)
 {
     static exact e;
     flower_of("xs00", &e);
-    is_of_fourth_order(&e, "xs00", SPHERE, 1, 0.25);
+    is_of_fourth_order(&e, "flower", SURFMINK_SPHERE, 1, 0.25);
     flower_of("xs01", &e);
-    is_of_fourth_order(&e, "xs01", EMBEDDED, 1, 0.25);
+    is_of_fourth_order(&e, "flower on an ellipsoid", SURFMINK_EMBEDDED, 1, 0.25);
     bumps_of(5, 0.1, &e);
-    is_of_fourth_order(&e, "five bumps", PLANE, 1, 0.25);
+    is_of_fourth_order(&e, "five bumps", SURFMINK_PLANE, 1, 0.25);
 }
 
 /* So the bands above tell orders apart. */
-THEOREM(without_the_corrections_the_same_curves_converge_at_second_order)
+THEOREM(without_corrections_curves_converge_at_second_order)
 {
     static exact e;
     double fitted[QUANTITIES], fine[QUANTITIES];
     int kind, curve;
     for (curve = 0; curve < 4; ++curve)
         for (kind = UNIFORM; kind <= GRADED; ++kind) {
-            static const char *const which[4] = {"xs00", "xs01", "xs02", "five bumps"};
-            if (curve < 3) flower_of(which[curve], &e);
+            static const char *const which[4] = {"flower", "flower on an ellipsoid", "flower on a torus", "five bumps"};
+            static const enum surfmink_kind surface[4] = {SURFMINK_SPHERE, SURFMINK_EMBEDDED, SURFMINK_EMBEDDED,
+                                                          SURFMINK_PLANE};
+            if (curve < 3) flower_of(flower_name[curve], &e);
             if (curve == 3) bumps_of(5, 0.1, &e);
-            orders(&e, curve == 0 ? SPHERE : curve < 3 ? EMBEDDED : PLANE, (enum partition)kind, 2, 0, fitted, fine);
-            NOTE("%s, %s, order 2: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)  g %.1e (%.2f)", which[curve],
-                 partition_name[kind], fine[LENGTH], fitted[LENGTH], fine[TURNING], fitted[TURNING], fine[MU],
-                 fitted[MU], fine[COMPONENT], fitted[COMPONENT]);
+            orders(&e, surface[curve], (enum partition)kind, 2, 0, fitted, fine);
             CHECK_NEAR(fitted[LENGTH], 2, 0.01);
             CHECK_NEAR(fitted[MU], 2, 0.05);
             CHECK(fine[MU] > 1e-7);
             if (curve < 3) CHECK_NEAR(fitted[TURNING], 2, 0.01);
+            converges_as_documented(which[curve], surface[curve], kind, 2, fitted, fine);
         }
 }
 
@@ -354,14 +418,21 @@ THEOREM(circles_of_the_hyperbolic_plane_converge_at_fourth_order)
         for (fine = 0; fine < 2; ++fine) {
             double mu[P + 1];
             surfmink_functionals w;
+            surfmink_outline view;
+            surfmink_curve_options options = {4, NULL, 0, NULL};
+            surfmink_curve_results out = {NULL, NULL, NULL, NULL};
+            out.mu = mu;
+            out.w = &w;
             n = fine ? 512 : 128;
             for (i = 0; i < n; ++i) {
                 double t = 2 * PI * (double)i / (double)n, t_graded = t + 0.3 * sin(t);
                 corner[2 * i] = tanh(r / 2) * cos(t_graded);
                 corner[2 * i + 1] = tanh(r / 2) * sin(t_graded);
             }
-            CHECK_OK(surfmink_curve_surface(&s, by_callback ? 7 : -1, by_callback ? minus_one : NULL, corner, NULL, n,
-                                            4, P, scratch, mu, NULL, NULL, &w, NULL));
+            options.curvature = by_callback ? 7 : -1;
+            options.curvature_at = by_callback ? minus_one : NULL;
+            view = surfmink_on_surface(&s, corner, n);
+            CHECK_OK(surfmink_curve(&view, &options, P, scratch, &out, NULL));
             off[fine][0] = w.length / (2 * PI * sinh(r)) - 1;
             off[fine][1] = w.turning / (2 * PI * cosh(r)) - 1;
             for (off[fine][2] = 0, p = 1; p <= 6; ++p) off[fine][2] = fmax(off[fine][2], mu[p]);
@@ -369,6 +440,35 @@ THEOREM(circles_of_the_hyperbolic_plane_converge_at_fourth_order)
             CHECK_EQUAL(w.area, 0);
         }
         for (p = 0; p < 3; ++p) CHECK_NEAR(log2(off[0][p] / off[1][p]) / 2, 4, 0.03);
+    }
+}
+
+/* Geodesics of an ellipsoid, where K changes from corner to corner, lead to the same curve as chords. */
+THEOREM(geodesics_and_chords_lead_to_the_same_curve)
+{
+    static outline o;
+    static random_curve c;
+    double gap[2][3];
+    int fine, p;
+    chance luck = {64};
+    c = some_curve(&luck, FOUND_WITH, PLACE_ELLIPSOID_CALLBACKS);
+    c.cut = 0;
+    for (fine = 0; fine < 2; ++fine) {
+        measured chords, geodesics;
+        surfmink_curve_results out = results_of(&geodesics);
+        o.kind = SURFMINK_EMBEDDED;
+        o.n = fine ? 320 : 80;
+        curve_points(&c, o.n, NULL, o.corner, o.normal);
+        chords = measure(&o, NULL, 4);
+        CHECK_OK(curve_measure(&c, o.n, 4, o.corner, o.normal, scratch, &out));
+        gap[fine][0] = geodesics.w.length / chords.w.length - 1;
+        gap[fine][1] = geodesics.w.turning - chords.w.turning;
+        for (gap[fine][2] = 0, p = 1; p <= CURVE_RANKS; ++p)
+            gap[fine][2] = fmax(gap[fine][2], fabs(geodesics.mu[p] - chords.mu[p]));
+    }
+    for (p = 0; p < 3; ++p) {
+        CASE("%s: %.1e", quantity_name[p], gap[1][p]);
+        CHECK_NEAR(log2(gap[0][p] / gap[1][p]) / 2, 4, 0.2);
     }
 }
 
@@ -384,7 +484,7 @@ THEOREM(areas_converge_at_fourth_order_too)
     o.radius = 3;
     for (fine = 0; fine < 2; ++fine) {
         o.n = fine ? 512 : 128;
-        o.kind = PLANE;
+        o.kind = SURFMINK_PLANE;
         sample(&e, GRADED, &o);
         off[fine][0] = measure(&o, NULL, 4).w.area / (PI * (1 + e.depth * e.depth)) - 1;
         for (i = 0; i < o.n; ++i) {
@@ -393,7 +493,7 @@ THEOREM(areas_converge_at_fourth_order_too)
             o.corner[2 * i + 1] = sin(t);
         }
         off[fine][1] = measure(&o, NULL, 4).w.area / PI - 1;
-        o.kind = SPHERE;
+        o.kind = SURFMINK_SPHERE;
         for (i = 0; i < o.n; ++i) {
             double t = 2 * PI * position(GRADED, i, o.n);
             o.corner[3 * i] = 1e-6 * cos(t); /* small: curvature and area keep their digits */
@@ -414,9 +514,10 @@ THEOREM(areas_converge_at_fourth_order_too)
 static void disturbed(const exact *e, size_t n, double noise, double tilt, double off[2])
 {
     static outline o;
+    char key[100];
     int order, round;
     size_t i;
-    o.kind = EMBEDDED;
+    o.kind = SURFMINK_EMBEDDED;
     o.n = n;
     for (order = 0; order < 2; ++order) {
         off[order] = 0;
@@ -436,11 +537,11 @@ static void disturbed(const exact *e, size_t n, double noise, double tilt, doubl
         }
         off[order] = sqrt(off[order]);
     }
-    NOTE("xs01, %d corners, noise %g, tilt %g: mu %.1e at order 2, %.1e at order 4", (int)n, noise, tilt, off[0],
-         off[1]);
+    sprintf(key, "corners %g of an edge, normals %g", noise, tilt);
+    documented(key, off, NULL, 2);
 }
 
-THEOREM(corners_or_normals_off_by_a_hundredth_take_the_gain_away)
+THEOREM(errors_of_a_hundredth_take_the_gain_away)
 {
     static exact e;
     double off[2];
@@ -507,10 +608,11 @@ static void three_arcs(outline *o, double polar, double rho, double *length, dou
 }
 
 /* Worst errors of L, S, mu at n = 384 and 1536 -> fitted orders. */
-static void three_arcs_order(enum kind kind, const char *marked, int order, double fitted[3], double fine[3])
+static void three_arcs_order(enum surfmink_kind kind, const char *marked, int order, double fitted[3], double fine[3])
 {
     static outline o;
     double off[2][3], mu[P + 1], length, turning;
+    char key[100];
     int k, p;
     o.kind = kind;
     o.radius = 1;
@@ -527,34 +629,34 @@ static void three_arcs_order(enum kind kind, const char *marked, int order, doub
         fitted[k] = log2(off[0][k] / off[1][k]) / 2;
         fine[k] = off[1][k];
     }
-    NOTE("three arcs, %s, order %d%s%s: L %.1e (%.2f)  S %.1e (%.2f)  mu %.1e (%.2f)", kind_name[kind], order,
-         *marked ? ", " : "", marked, fine[0], fitted[0], fine[1], fitted[1], fine[2], fitted[2]);
+    sprintf(key, "three arcs, %s, order %d%s%s", kind_name[kind], order, *marked ? ", " : "", marked);
+    documented(key, fine, fitted, 3);
 }
 
-THEOREM(arcs_between_sharp_corners_converge_at_fourth_order_if_the_corners_are_marked_and_at_first_if_not)
+THEOREM(arcs_converge_at_fourth_order_if_their_ends_are_marked)
 {
     int kind, k;
     double fitted[3], fine[3];
-    for (kind = SPHERE; kind < KINDS; ++kind) {
+    for (kind = SURFMINK_SPHERE; kind < KINDS; ++kind) {
         CASE("%s, marked", kind_name[kind]);
-        three_arcs_order((enum kind)kind, "marked", 4, fitted, fine);
+        three_arcs_order((enum surfmink_kind)kind, "marked", 4, fitted, fine);
         for (k = 0; k < 3; ++k) CHECK_NEAR(fitted[k], 4, 0.05);
         CHECK(fine[2] < 1e-9);
         CASE("%s, not marked", kind_name[kind]);
-        three_arcs_order((enum kind)kind, "", 4, fitted, fine);
+        three_arcs_order((enum surfmink_kind)kind, "", 4, fitted, fine);
         CHECK_NEAR(fitted[0], 1, 0.05);
         CHECK_NEAR(fitted[2], 1, 0.05);
         CASE("%s, order 2", kind_name[kind]);
-        three_arcs_order((enum kind)kind, "", 2, fitted, fine);
+        three_arcs_order((enum surfmink_kind)kind, "", 2, fitted, fine);
         for (k = 0; k < 3; ++k) CHECK_NEAR(fitted[k], 2, 0.05);
     }
 }
 
 /* An upright half of an ellipse, x = 2 cos t, y = sin t: curvature changes along the arc, and one side is straight. */
-static void half_ellipse(outline *o, size_t n)
+static void half_ellipse(outline *o, size_t n, size_t base)
 {
-    size_t i, base = n / 4, arc = n - base;
-    o->kind = PLANE;
+    size_t i, arc = n - base;
+    o->kind = SURFMINK_PLANE;
     o->n = n;
     for (i = 0; i < n; ++i) {
         double t = PI * (double)i / (double)arc;
@@ -583,7 +685,7 @@ static void half_ellipse_exact(double *length, double mu[P + 1])
     for (p = 1; p <= P; ++p) mu[p] = hypot(g[2 * p] + 4, g[2 * p + 1]) / *length; /* the base has the phase 0 */
 }
 
-THEOREM(half_an_ellipse_with_its_two_corners_marked_converges_at_fourth_order)
+THEOREM(half_an_ellipse_converges_at_fourth_order)
 {
     static outline o;
     double off[2] = {0, 0}, fine[2] = {0, 0}, length, mu[P + 1];
@@ -591,7 +693,7 @@ THEOREM(half_an_ellipse_with_its_two_corners_marked_converges_at_fourth_order)
     half_ellipse_exact(&length, mu);
     for (k = 0; k < 2; ++k) {
         measured m;
-        half_ellipse(&o, k ? 2048 : 512);
+        half_ellipse(&o, k ? 2048 : 512, k ? 512 : 128);
         m = measure(&o, o.sharp, 4);
         (k ? fine : off)[0] = fabs(m.w.length / length - 1);
         for (p = 1; p <= 6; ++p) (k ? fine : off)[1] = fmax((k ? fine : off)[1], fabs(m.mu[p] - mu[p]));
@@ -610,32 +712,53 @@ THEOREM(a_polygon_with_all_corners_marked_is_what_the_polygon_is)
     for (round = 0; round < 100; ++round) {
         double xy[2 * MOST];
         measured m, polygon;
-        o.n = 5 + one_of(&c, 20);
+        o.n = 12 + one_of(&c, 20);
         o.radius = 2;
         gentle_star(&c, o.n, xy);
         memset(o.sharp, 1, o.n);
-        for (kind = PLANE; kind < EMBEDDED; ++kind) {
-            o.kind = (enum kind)kind;
+        for (kind = SURFMINK_PLANE; kind < SURFMINK_EMBEDDED; ++kind) {
+            o.kind = (enum surfmink_kind)kind;
             memcpy(o.corner, xy, sizeof xy);
-            if (kind == SPHERE) onto_sphere(xy, o.n, 0.5, o.corner);
+            if (kind == SURFMINK_SPHERE) onto_sphere(xy, o.n, 0.5, o.corner);
             m = measure(&o, o.sharp, 4);
             polygon = measure(&o, o.sharp, 2);
             CHECK_CLOSE(m.w.length, polygon.w.length, 1e-15 * 4);
             CHECK_CLOSE(m.w.turning, polygon.w.turning, 1e-14);
             CHECK_CLOSE(m.w.area, polygon.w.area, 1e-14);
             for (p = 0; p <= P; ++p) CHECK_NEAR(m.mu[p], polygon.mu[p], 1e-13);
-            for (p = 0; p <= P; ++p) CHECK_NEAR(m.error[p], 0, 1e-13); /* nothing is left out of every second corner */
+            for (p = 0; p <= P; ++p) /* no corner is left out of every second: only rounding remains */
+                CHECK_NEAR(m.error[p], 2e-14 * (1 + m.w.condition), 1e-20);
         }
     }
 }
 
+/* A side of one edge is exact, however long: it makes no estimate larger. */
+THEOREM(straight_edges_do_not_count_as_errors)
+{
+    static outline o;
+    double length, mu[P + 1], off = 0, error = 0;
+    measured m;
+    int order, p;
+    half_ellipse_exact(&length, mu);
+    for (order = 2; order <= 4; order += 2) {
+        half_ellipse(&o, 400, 1);
+        m = measure(&o, o.sharp, order);
+        for (off = error = 0, p = 1; p <= 6; ++p) {
+            off = fmax(off, fabs(m.mu[p] - mu[p]));
+            error = fmax(error, m.error[p]);
+        }
+        CASE("order %d: %.1e, estimate %.1e", order, off, error);
+        CHECK(off < error && error < 30 * off);
+    }
+}
+
 /* A hexagon with many corners on each side: exact as a polygon, and with its corners marked; otherwise rounded off. */
-THEOREM(on_the_sides_of_a_polygon_order_4_errs_at_first_order_unless_its_corners_are_marked)
+THEOREM(order_4_errs_on_polygons_unless_their_corners_are_marked)
 {
     static outline o;
     double off[2];
     int fine, p;
-    o.kind = PLANE;
+    o.kind = SURFMINK_PLANE;
     for (fine = 0; fine < 2; ++fine) {
         size_t side = fine ? 64 : 16, i;
         measured m;
@@ -662,59 +785,48 @@ THEOREM(on_the_sides_of_a_polygon_order_4_errs_at_first_order_unless_its_corners
 /* A smooth curve by chance. */
 static void along(const wobble *w, size_t n, outline *o)
 {
-    o->kind = w->plane ? PLANE : EMBEDDED;
+    o->kind = w->plane ? SURFMINK_PLANE : SURFMINK_EMBEDDED;
     o->n = n;
     wobble_points(w, n, o->corner, o->normal);
 }
 
-/* The share of errors, of L and of mu_1 .. mu_6, that are within a factor 2 of their estimates; the rest mostly are
-   where an error changes its sign. */
-static double share_within_two(int where, size_t n, int order, int curves)
+/* Of curves that the rules were not found with: within the estimate in 95 %, within three times it in 99.9 %, half of
+   the errors above a tenth of it. make accuracy takes more curves and prints the table of docs/beyond.md. */
+THEOREM(errors_of_unseen_curves_are_within_their_estimates)
 {
-    static outline o;
-    chance c = {40};
-    int round, p, within = 0, all = 0;
-    for (round = 0; round < curves; ++round) {
-        wobble w = some_wobble(&c, where);
-        measured truth, m;
-        along(&w, 2048, &o);
-        truth = measure(&o, NULL, 4);
-        along(&w, n, &o);
-        m = measure(&o, NULL, order);
-        for (p = where == IN_THE_PLANE ? 2 : 1; p <= 6; ++p) {
-            double off = fabs(m.mu[p] - truth.mu[p]);
-            ++all;
-            if (m.error[p] > 1e-11 && off < 2 * m.error[p] && off > m.error[p] / 2) ++within;
-        }
-        ++all;
-        if (fabs(m.w.length / truth.w.length - 1) < 2 * m.error[0] &&
-            fabs(m.w.length / truth.w.length - 1) > m.error[0] / 2)
-            ++within;
+    static estimates e[2][CORNER_RANGES], none;
+    estimates sum;
+    int order, place, round;
+    size_t range;
+    memset(e, 0, sizeof e);
+    for (place = 0; place < PLACES; ++place) {
+        chance c = {9000 + (uint64_t)place};
+        for (round = 0; round < CURVES; ++round) CHECK_OK(estimate_curve(&c, JUDGED_BY, place, e));
     }
-    return (double)within / all;
+    for (order = 0; order < 2; ++order) {
+        for (sum = none, range = 0; range < CORNER_RANGES; ++range) estimate_add(&sum, &e[order][range]);
+        NOTE("order %d: %d errors, %d known, %d within the estimate, %d within 3 times it; worst %.1f, median %.2f",
+             2 + 2 * order, (int)sum.all, (int)sum.known, (int)sum.within, (int)sum.within_three, sum.worst,
+             estimate_median(&sum));
+        CASE("order %d", 2 + 2 * order);
+        CHECK((double)sum.known > 0.8 * (double)sum.all);
+        CHECK((double)sum.within >= 0.95 * (double)sum.known);
+        CHECK((double)sum.within_three >= 0.998 * (double)sum.known); /* 0.999 of more curves */
+        CHECK(estimate_median(&sum) > 0.1);
+        free(sum.ratio);
+        for (range = 0; range < CORNER_RANGES; ++range) free(e[order][range].ratio);
+    }
 }
 
-THEOREM(nearly_all_errors_are_within_a_factor_of_two_of_their_estimates)
-{
-    int where;
-    size_t odd;
-    for (where = 0; where < WHERE; ++where)
-        for (odd = 0; odd < 2; ++odd) {
-            CASE("surface %d, %s", where, odd ? "odd" : "even");
-            CHECK(share_within_two(where, 128 + odd, 2, CURVES) > 0.98);
-            CHECK(share_within_two(where, 256 + odd, 4, CURVES) > 0.97);
-        }
-}
-
-/* A known error: a regular polygon in a circle. L is too short by x^2 / 6 - x^4 / 120, x = pi / n; every second corner
-   has twice the x, if n is odd too. Order 4 makes it h = l (1 + (2 pi / n)^2 / 24). */
-THEOREM(of_a_circle_the_estimate_of_the_length_is_known)
+/* A regular polygon in a circle: L is too short by x^2 / 6 - x^4 / 120, x = pi / n; order 4 makes it longer by x^2 / 6.
+   The estimate is at least the error and not ten times as large. */
+THEOREM(the_length_of_a_circle_is_off_by_less_than_its_estimate)
 {
     static outline o;
     size_t n, i;
-    o.kind = PLANE;
-    for (n = 5; n < 70; ++n) {
-        double x = PI / (double)n, chord = sin(x) / x, half = sin(2 * x) / (2 * x);
+    o.kind = SURFMINK_PLANE;
+    for (n = 12; n < 70; ++n) {
+        double x = PI / (double)n, chord = sin(x) / x, off;
         measured m;
         o.n = n;
         for (i = 0; i < n; ++i) {
@@ -723,13 +835,15 @@ THEOREM(of_a_circle_the_estimate_of_the_length_is_known)
         }
         CASE("%d corners", (int)n);
         m = measure(&o, NULL, 2);
-        CHECK_CLOSE(m.error[0], (1 - half / chord) / 3, 1e-12 * (double)(n * n));
+        off = 1 / chord - 1;
+        CHECK(m.error[0] > off && m.error[0] < 10 * off);
         m = measure(&o, NULL, 4);
         chord *= 1 + x * x / 6;
-        half *= 1 + 4 * x * x / 6;
         CHECK_CLOSE(m.w.length, 2 * PI * chord, 1e-14);
-        CHECK_NEAR(m.error[0], fabs(1 - half / chord) / 15, 1e-14);
-        CHECK(m.error[0] > 0.5 * (1 - chord) - 1e-14 && m.error[0] < 2 * (1 - chord) + 1e-14);
+        off = 1 / chord - 1;
+        CHECK(m.error[0] > off && m.error[0] < 10 * off);
+        if (n >= 32)
+            CHECK(m.error[0] > 3 * off && m.error[0] < 5 * off); /* twice for safety, twice without neighbours */
     }
 }
 
@@ -740,66 +854,109 @@ static void is_unknown(const measured *m)
     for (p = 0; p <= P; ++p) CHECK_EQUAL(m->error[p], 1);
 }
 
-/* The limacon r = inner + cos t in the plane z = 0: it winds twice; every second of few corners may wind otherwise. */
-static void limacon(outline *o, size_t n, double inner)
+/* The plane by callbacks, which know no area. */
+static int flat_log(void *context, const double *x, const double *y, double *length, double direction[2])
 {
+    (void)context;
+    direction[0] = y[0] / 2 - x[0] / 2;
+    direction[1] = y[1] / 2 - x[1] / 2;
+    *length = 2 * hypot(direction[0], direction[1]);
+    return SURFMINK_OK;
+}
+
+/* The limacon r = inner + cos t winds twice, which only callbacks let pass; every second of few corners may not. */
+static measured measure_limacon(size_t n, double inner, int order)
+{
+    static double corner[2 * FINEST];
+    surfmink_surface s = {NULL, 2, flat_log, NULL};
+    surfmink_outline view = surfmink_on_surface(&s, corner, n);
+    surfmink_curve_options options = {0, NULL, 0, NULL};
+    measured m;
+    surfmink_curve_results out = results_of(&m);
     size_t i;
-    o->kind = EMBEDDED;
-    o->n = n;
-    memset(o->corner, 0, sizeof o->corner);
-    memset(o->normal, 0, sizeof o->normal);
-    for (i = 0; i < o->n; ++i) {
-        double t = 2 * PI * (double)i / (double)o->n + 0.1, r = inner + cos(t);
-        o->corner[3 * i] = r * cos(t);
-        o->corner[3 * i + 1] = r * sin(t);
-        o->normal[3 * i + 2] = 1;
+    options.order = order;
+    for (i = 0; i < n; ++i) {
+        double t = 2 * PI * (double)i / (double)n + 0.1, r = inner + cos(t);
+        corner[2 * i] = r * cos(t);
+        corner[2 * i + 1] = r * sin(t);
     }
+    m.status = surfmink_curve(&view, &options, P, scratch, &out, &m.bad);
+    CHECK_OK(m.status);
+    return m;
 }
 
 THEOREM(where_nothing_can_be_said_the_estimate_is_one)
 {
     static outline o;
-    static const double far[2 * 6] = {0, 0, 1e300, -1e300, 1e-310, 0, 1e300, 1e300, -1e300, 1e300, -1e300, -1e300};
-    static const double twin[2 * 6] = {0, 0, 1, -1, 2, 0, 3, 1, 2, 0, 1, 1}; /* corners 2 and 4 are the same point */
     chance c = {45};
     wobble w = some_wobble(&c, IN_THE_PLANE);
     measured m;
-    int order;
+    int order, p;
     size_t n, i;
     for (order = 2; order <= 4; order += 2) {
-        o.kind = PLANE;
-        for (n = 3; n <= 4; ++n) {
-            o.n = n;
-            for (i = 0; i < n; ++i) {
-                o.corner[2 * i] = cos(2 * PI * (double)i / (double)n);
-                o.corner[2 * i + 1] = sin(2 * PI * (double)i / (double)n);
-            }
+        for (n = 3; n < 12; ++n) { /* every fourth corner is no polygon */
+            along(&w, n, &o);
             m = measure(&o, NULL, order);
             is_unknown(&m);
         }
-        o.n = 6;
-        memcpy(o.corner, twin, sizeof twin);
+        along(&w, 24, &o);
+        m = measure(&o, NULL, order);
+        CHECK(m.error[0] < 1 && m.error[2] < 1);
+        along(&w, 24, &o); /* every second or fourth corner is an outline that is refused */
+        for (i = 0; i < 2; ++i) o.corner[2 * 4 + i] = o.corner[2 * 6 + i];
+        for (i = 0; i < 2; ++i) o.corner[2 * 5 + i] += 0.1;
         m = measure(&o, NULL, order);
         is_unknown(&m);
-        along(&w, 5, &o); /* three of five with a sharp one are enough, two of four are not */
-        memset(o.sharp, 0, sizeof o.sharp);
-        o.sharp[1] = 1;
-        m = measure(&o, o.sharp, order);
-        CHECK(m.error[2] < 1);
-        along(&w, 4, &o);
-        m = measure(&o, o.sharp, order);
-        is_unknown(&m);
-        limacon(&o, 6, 1); /* for its normals; from corner 0 to 2 it is so little that it goes under */
-        for (i = 0; i < 6; ++i) memcpy(o.corner + 3 * i, far + 2 * i, 2 * sizeof *far);
-        m = measure(&o, NULL, order);
-        is_unknown(&m);
-        for (i = 0; i < 3; ++i) { /* S of every second: 2 pi; 2 pi and 0; 0 and 2 pi */
-            limacon(&o, i < 2 ? 10 - 2 * i : 6, i == 0 ? 0.7 : i == 1 ? 0.6 : 0.5);
-            m = measure(&o, NULL, order);
+        for (i = 0; i < 3; ++i) { /* every second or fourth corner winds once, not twice */
+            m = measure_limacon(16 + 4 * i, 0.7, order);
             CHECK_NEAR(m.w.turning, 4 * PI, 1e-13);
             is_unknown(&m);
         }
+        for (i = 0; i < 24; ++i) { /* an edge that goes under beside the others */
+            double t = PI + 2 * PI * (double)(i > 0 ? i - 1 : 0) / 23;
+            o.corner[2 * i] = i < 2 ? 0 : 1e150 * (1 + cos(t));
+            o.corner[2 * i + 1] = i < 2 ? -1e-300 * (double)i : 1e150 * sin(t);
+        }
+        o.n = 24;
+        m = measure_only(&o, NULL, order, P);
+        if (order == 2) is_unknown(&m);
+        m = measure_limacon(200, 0.5, order);
+        CHECK(m.error[0] < 0.01 && m.error[2] < 0.01);
+        along(&w, 40, &o); /* ranks whose phase turns by more than half a turn from edge to edge */
+        m = measure(&o, NULL, order);
+        CHECK(m.error[8] < 1);
+        along(&w, 14, &o);
+        m = measure(&o, NULL, order);
+        for (p = 8; p <= P; ++p) CHECK_EQUAL(m.error[p], 1);
     }
+}
+
+/* No order is seen in corners by chance: their estimates are unknown, or larger than what they are off the circle. */
+THEOREM(of_corners_by_chance_no_small_error_is_claimed)
+{
+    static outline o;
+    chance c = {46};
+    measured m;
+    int order, round, p, known = 0, small = 0;
+    size_t i;
+    o.kind = SURFMINK_PLANE;
+    o.n = 64;
+    for (order = 2; order <= 4; order += 2)
+        for (round = 0; round < 50; ++round) {
+            for (i = 0; i < o.n; ++i) {
+                double t = 2 * PI * (double)i / (double)o.n, r = 1 + between(&c, -0.05, 0.05);
+                o.corner[2 * i] = r * cos(t);
+                o.corner[2 * i + 1] = r * sin(t);
+            }
+            m = measure(&o, NULL, order);
+            for (p = 2; p <= 6; ++p) {
+                known += m.error[p] < 1;
+                small += m.mu[p] > 3 * m.error[p];
+            }
+        }
+    NOTE("corners by chance: %d of 500 estimates known, %d below a third of mu", known, small);
+    CHECK(known < 250);
+    CHECK(small < 10);
 }
 
 /* With or without an estimate, with or without mu, the rest is the same. */
@@ -809,35 +966,37 @@ THEOREM(every_output_may_be_left_out)
     chance c = {50};
     wobble w = some_wobble(&c, ON_A_TORUS);
     measured all, m;
-    int order;
+    int order, which;
     for (order = 2; order <= 4; order += 2) {
+        surfmink_outline view = surfmink_embedded(o.corner, o.normal, 60);
+        surfmink_curve_options options = {0, NULL, 0, NULL};
+        options.order = order;
         along(&w, 60, &o);
         all = measure(&o, NULL, order);
-        memset(&m, 0, sizeof m);
-        CHECK_OK(
-            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, NULL, m.error, NULL, NULL, NULL));
-        CHECK_SAME(m.error, all.error, P + 1);
-        CHECK_OK(
-            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, m.mu, NULL, NULL, NULL, NULL));
-        CHECK_SAME(m.mu, all.mu, P + 1);
-        CHECK_OK(
-            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, NULL, NULL, m.g, NULL, NULL));
-        CHECK_SAME(m.g, all.g, 2 * P + 2);
-        CHECK_OK(
-            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, NULL, NULL, NULL, &m.w, NULL));
-        CHECK_SAME(&m.w.length, &all.w.length, 1);
-        CHECK_SAME(&m.w.turning, &all.w.turning, 1);
-        CHECK_OK(
-            surfmink_curve_embedded(o.corner, o.normal, NULL, o.n, order, P, scratch, NULL, NULL, NULL, NULL, NULL));
+        for (which = 0; which < 5; ++which) {
+            surfmink_curve_results one = {NULL, NULL, NULL, NULL};
+            memset(&m, 0x5a, sizeof m);
+            if (which == 0) one.mu = m.mu;
+            if (which == 1) one.error = m.error;
+            if (which == 2) one.g = m.g;
+            if (which == 3) one.w = &m.w;
+            CHECK_OK(surfmink_curve(&view, &options, P, scratch, &one, NULL));
+            if (which == 0) CHECK_SAME(m.mu, all.mu, P + 1);
+            if (which == 1) CHECK_SAME(m.error, all.error, P + 1);
+            if (which == 2) CHECK_SAME(m.g, all.g, 2 * P + 2);
+            if (which == 3) CHECK(memcmp(&m.w, &all.w, sizeof m.w) == 0);
+        }
     }
 }
 
 /* --- what does not change the numbers ----------------------------------------------------------------------------- */
 
 /* A curve of any kind by chance; on the sphere and by callbacks the radius is 2 and corners lie off it. */
-static void some_outline(chance *c, enum kind kind, size_t n, outline *o)
+static void some_outline(chance *c, enum surfmink_kind kind, size_t n, outline *o)
 {
-    wobble w = some_wobble(c, kind == PLANE ? IN_THE_PLANE : kind == EMBEDDED ? ON_AN_ELLIPSOID : ON_A_SPHERE);
+    wobble w = some_wobble(c, kind == SURFMINK_PLANE      ? IN_THE_PLANE
+                              : kind == SURFMINK_EMBEDDED ? ON_AN_ELLIPSOID
+                                                          : ON_A_SPHERE);
     along(&w, n, o);
     o->kind = kind;
     o->radius = 2;
@@ -864,15 +1023,14 @@ THEOREM(order_2_is_the_measure_of_the_polygon_to_the_bit)
     surfmink_functionals w;
     int kind, round;
     for (round = 0; round < 20; ++round)
-        for (kind = PLANE; kind < KINDS; ++kind) {
+        for (kind = SURFMINK_PLANE; kind < KINDS; ++kind) {
             measured m;
-            surfmink_surface s = surfmink_sphere(&o.radius);
-            some_outline(&c, (enum kind)kind, 5 + one_of(&c, 40), &o);
+            surfmink_surface s;
+            surfmink_outline view;
+            some_outline(&c, (enum surfmink_kind)kind, 5 + one_of(&c, 40), &o);
             m = measure(&o, NULL, 2);
-            if (kind == PLANE) CHECK_OK(surfmink_measure_plane(o.corner, o.n, P, mu, g, &w, NULL));
-            if (kind == SPHERE) CHECK_OK(surfmink_measure_sphere(o.corner, o.n, o.radius, P, mu, g, &w, NULL));
-            if (kind == EMBEDDED) CHECK_OK(surfmink_measure_embedded(o.corner, o.normal, o.n, P, mu, g, &w, NULL));
-            if (kind == CALLBACKS) CHECK_OK(surfmink_measure_surface(&s, o.corner, o.n, scratch, P, mu, g, &w, NULL));
+            view = view_of(&o, &s);
+            CHECK_OK(surfmink_measure(&view, P, mu, g, &w, NULL));
             CHECK_SAME(m.mu, mu, P + 1);
             CHECK_SAME(m.g, g, 2 * P + 2);
             CHECK_SAME(&m.w.area, &w.area, 1);
@@ -888,12 +1046,12 @@ THEOREM(the_curve_does_not_depend_on_which_corner_comes_first)
     static outline o, other;
     chance c = {61};
     int kind, order, sharp;
-    for (kind = PLANE; kind < KINDS; ++kind)
+    for (kind = SURFMINK_PLANE; kind < KINDS; ++kind)
         for (order = 2; order <= 4; order += 2)
             for (sharp = 0; sharp < 2; ++sharp) {
                 measured a, b;
-                size_t by, k, dim = kind == PLANE ? 2 : 3;
-                some_outline(&c, (enum kind)kind, 30 + one_of(&c, 2), &o);
+                size_t by, k, dim = kind == SURFMINK_PLANE ? 2 : 3;
+                some_outline(&c, (enum surfmink_kind)kind, 30 + one_of(&c, 2), &o);
                 memset(o.sharp, 0, sizeof o.sharp);
                 o.sharp[one_of(&c, o.n)] = 1;
                 CASE("%s, order %d, %d sharp", kind_name[kind], order, sharp);
@@ -917,7 +1075,7 @@ THEOREM(components_at_another_edge_differ_by_a_rotation)
     measured a, b;
     double turned;
     int p;
-    some_outline(&c, EMBEDDED, 200, &o);
+    some_outline(&c, SURFMINK_EMBEDDED, 200, &o);
     a = measure(&o, NULL, 4);
     other = o;
     start_at(77, o.corner, o.n, 3, other.corner);
@@ -931,26 +1089,26 @@ THEOREM(components_at_another_edge_differ_by_a_rotation)
             0, 1e-12);
 }
 
-THEOREM(the_curve_does_not_depend_on_where_it_lies_and_how_large_it_is)
+THEOREM(the_curve_does_not_depend_on_its_place_and_size)
 {
     static outline o, other;
     static const int exponent[5] = {20, -70, 300, -300, 900};
     chance c = {63};
     int kind, round, k;
     size_t i;
-    for (kind = PLANE; kind < CALLBACKS; ++kind)
+    for (kind = SURFMINK_PLANE; kind < SURFMINK_SURFACE; ++kind)
         for (round = 0; round < 10; ++round) {
             measured a, b;
-            size_t dim = kind == PLANE ? 2 : 3;
-            some_outline(&c, (enum kind)kind, 30 + one_of(&c, 10), &o);
+            size_t dim = kind == SURFMINK_PLANE ? 2 : 3;
+            some_outline(&c, (enum surfmink_kind)kind, 30 + one_of(&c, 10), &o);
             CASE("%s, round %d", kind_name[kind], round);
             a = measure(&o, NULL, 4);
             other = o;
             for (k = 0; k < 5; ++k) { /* powers of two, to the bit */
-                double by = power_of_two(exponent[k]), length = kind == SPHERE ? 1 : by;
+                double by = power_of_two(exponent[k]), length = kind == SURFMINK_SPHERE ? 1 : by;
                 for (i = 0; i < dim * o.n; ++i) other.corner[i] = o.corner[i] * by;
                 b = measure_only(&other, NULL, 4, P);
-                if (kind == PLANE && exponent[k] == 900) { /* an area that is none */
+                if (kind != SURFMINK_SPHERE && exponent[k] == 900) { /* an area that is none */
                     CHECK_STATUS(b.status, SURFMINK_NOT_FINITE);
                     continue;
                 }
@@ -960,7 +1118,7 @@ THEOREM(the_curve_does_not_depend_on_where_it_lies_and_how_large_it_is)
                 CHECK_CLOSE(b.w.length, a.w.length * length, 1e-15);
                 CHECK_CLOSE(b.g[4], a.g[4] * length, 1e-15);
             }
-            if (kind == PLANE) continue;
+            if (kind == SURFMINK_PLANE) continue;
             other = o;
             turn_about(o.normal, 1.3, other.corner, o.n);
             turn_about(o.normal, 1.3, other.normal, o.n);
@@ -980,18 +1138,22 @@ THEOREM(the_sphere_by_callbacks_is_the_sphere)
     for (order = 2; order <= 4; order += 2)
         for (round = 0; round < 10; ++round) {
             measured a, b;
-            surfmink_surface s = surfmink_sphere(&o.radius);
-            some_outline(&c, SPHERE, 20 + one_of(&c, 20), &o);
+            surfmink_surface s;
+            surfmink_outline view;
+            surfmink_curve_options options = {0, NULL, 0.25, NULL}; /* K = 1 / 2^2 */
+            surfmink_curve_results out = results_of(&a);
+            some_outline(&c, SURFMINK_SPHERE, 20 + one_of(&c, 20), &o);
             a = measure(&o, NULL, order);
-            o.kind = CALLBACKS;
+            o.kind = SURFMINK_SURFACE;
             b = measure(&o, NULL, order);
             CHECK_CLOSE(b.w.length, a.w.length, 1e-14);
             CHECK_CLOSE(b.w.turning, a.w.turning, 1e-13);
             for (p = 0; p <= P; ++p) CHECK_NEAR(b.mu[p], a.mu[p], 1e-13);
             for (p = 0; p <= P; ++p) CHECK_NEAR(b.error[p], a.error[p], 1e-13);
             for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(b.g[p], a.g[p], 1e-12);
-            CHECK_OK(surfmink_curve_surface(&s, 0.25, NULL, o.corner, NULL, o.n, order, P, scratch, a.mu, a.error, a.g,
-                                            &a.w, NULL)); /* K = 1 / 2^2 */
+            view = view_of(&o, &s);
+            options.order = order;
+            CHECK_OK(surfmink_curve(&view, &options, P, scratch, &out, NULL));
             CHECK_SAME(a.mu, b.mu, P + 1);
             CHECK_SAME(a.error, b.error, P + 1);
         }
@@ -1006,9 +1168,9 @@ THEOREM(a_plane_in_space_is_the_plane)
     for (order = 2; order <= 4; order += 2)
         for (round = 0; round < 10; ++round) {
             measured a, b;
-            some_outline(&c, PLANE, 20 + one_of(&c, 20), &o);
+            some_outline(&c, SURFMINK_PLANE, 20 + one_of(&c, 20), &o);
             flat = o;
-            flat.kind = EMBEDDED;
+            flat.kind = SURFMINK_EMBEDDED;
             for (i = 0; i < o.n; ++i) {
                 memcpy(flat.corner + 3 * i, o.corner + 2 * i, 2 * sizeof *o.corner);
                 flat.corner[3 * i + 2] = 5;
@@ -1031,42 +1193,47 @@ THEOREM(edges_and_bends_are_all_that_the_surface_contributes)
     static outline o;
     static double length[64], turning[64], bend[64], twist[64], curvature[64];
     chance c = {72};
-    int round, p;
+    int round, kind, p;
     size_t i;
-    for (round = 0; round < 20; ++round) {
-        double mu[P + 1], g[2 * P + 2];
-        surfmink_functionals w;
-        measured m;
-        size_t n = 20 + one_of(&c, 30);
-        some_outline(&c, EMBEDDED, n, &o);
-        memset(o.sharp, 0, sizeof o.sharp);
-        o.sharp[4] = (unsigned char)(round % 2);
-        m = measure(&o, o.sharp, 4);
-        CHECK_OK(surfmink_edges_embedded(o.corner, o.normal, n, length, turning, NULL));
-        CHECK_OK(surfmink_bends_embedded(o.corner, o.normal, n, bend, twist, NULL));
-        CHECK_OK(surfmink_curve_edges(length, turning, bend, twist, NULL, o.sharp, n, P, scratch, mu, g, &w));
-        CHECK_CLOSE(w.length, m.w.length, 1e-15);
-        CHECK_CLOSE(w.turning, m.w.turning, 1e-14);
-        CHECK_EQUAL(w.area, 0);
-        for (p = 0; p <= P; ++p) CHECK_NEAR(mu[p], m.mu[p], 1e-14);
-        for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(g[p], m.g[p], 1e-13);
-        some_outline(&c, SPHERE, n, &o);
-        m = measure(&o, NULL, 4);
-        for (i = 0; i < n; ++i) curvature[i] = 0.25;
-        CHECK_OK(surfmink_edges_sphere(o.corner, n, o.radius, length, turning, NULL));
-        CHECK_OK(surfmink_curve_edges(length, turning, NULL, NULL, curvature, NULL, n, P, scratch, mu, g, NULL));
-        for (p = 0; p <= P; ++p) CHECK_NEAR(mu[p], m.mu[p], 1e-14);
-        for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(g[p], m.g[p], 1e-13);
-        some_outline(&c, PLANE, n, &o);
-        m = measure(&o, NULL, 4);
-        CHECK_OK(surfmink_edges_plane(o.corner, n, length, turning, NULL));
-        harness_spoil_stack();
-        CHECK_OK(surfmink_curve_edges(length, turning, NULL, NULL, NULL, NULL, n, P, scratch, NULL, g, NULL));
-        for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(g[p], m.g[p], 1e-13);
-        CHECK_OK(surfmink_curve_edges(length, turning, NULL, NULL, NULL, NULL, n, 0, scratch, mu, NULL, &w));
-        CHECK_CLOSE(w.length, m.w.length, 1e-15);
-        CHECK_EQUAL(mu[0], 1);
-    }
+    for (round = 0; round < 20; ++round)
+        for (kind = SURFMINK_PLANE; kind <= SURFMINK_EMBEDDED; ++kind) {
+            surfmink_curve_measured e = {0, NULL, NULL, NULL, NULL, NULL, NULL};
+            measured m, by_hand;
+            surfmink_curve_results out = results_of(&by_hand);
+            surfmink_surface s;
+            surfmink_outline view;
+            e.n = 20 + one_of(&c, 30);
+            e.length = length;
+            e.turning = turning;
+            some_outline(&c, (enum surfmink_kind)kind, e.n, &o);
+            memset(o.sharp, 0, sizeof o.sharp);
+            o.sharp[4] = (unsigned char)(round % 2);
+            m = measure(&o, o.sharp, 4);
+            view = view_of(&o, &s);
+            CASE("%s, round %d", kind_name[kind], round);
+            CHECK_OK(surfmink_edges(&view, length, turning, NULL));
+            if (kind == SURFMINK_EMBEDDED) {
+                CHECK_OK(surfmink_curve_bends(&view, bend, twist, NULL));
+                e.bend = bend;
+                e.twist = twist;
+            }
+            for (i = 0; i < e.n; ++i) curvature[i] = 0.25;
+            if (kind == SURFMINK_SPHERE) e.curvature = curvature;
+            e.sharp = o.sharp;
+            harness_spoil_stack();
+            by_hand.error[3] = 7;
+            CHECK_OK(surfmink_curve_edges(&e, P, scratch, &out));
+            CHECK_EQUAL(by_hand.error[3], 7);
+            CHECK_CLOSE(by_hand.w.length, m.w.length, 1e-15);
+            CHECK_CLOSE(by_hand.w.turning, m.w.turning, 1e-14);
+            CHECK_EQUAL(by_hand.w.area, 0);
+            for (p = 0; p <= P; ++p) CHECK_NEAR(by_hand.mu[p], m.mu[p], 1e-14);
+            for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(by_hand.g[p], m.g[p], 1e-13);
+            out.mu = NULL;
+            memset(by_hand.g, 0, sizeof by_hand.g);
+            CHECK_OK(surfmink_curve_edges(&e, P, scratch, &out));
+            for (p = 0; p <= 2 * P + 1; ++p) CHECK_NEAR(by_hand.g[p], m.g[p], 1e-13);
+        }
 }
 
 /* The same formulas once more, from their meaning: curvatures at places along a line, each sin(x) / x by itself. */
@@ -1130,8 +1297,16 @@ THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
         double swept[16], rise[16], turn[16], mu[P + 1], g[2 * P + 2], want[2 * P + 2] = {0};
         double slope, lead = 0, total = 0, turned = 0, length = 0, phase = 0, l;
         surfmink_functionals w;
+        surfmink_curve_measured given = {0, NULL, NULL, NULL, NULL, NULL, NULL};
+        surfmink_curve_results out = {NULL, NULL, NULL, NULL};
         size_t i, before;
         int known;
+        given.length = e.length;
+        given.turning = e.turning;
+        given.curvature = e.curvature;
+        out.mu = mu;
+        out.g = g;
+        out.w = &w;
         e.n = 4 + one_of(&c, 13);
         e.with_bends = round % 2;
         for (sharps = 0, i = 0; i < e.n; ++i) {
@@ -1166,8 +1341,13 @@ THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
             }
         }
         CASE("round %d, %d corners, %d sharp", round, (int)e.n, sharps);
-        known = surfmink_curve_edges(e.length, e.turning, e.with_bends ? e.bend : NULL, e.with_bends ? e.twist : NULL,
-                                     e.curvature, sharps ? e.sharp : NULL, e.n, P, scratch, mu, g, &w);
+        given.n = e.n;
+        if (e.with_bends) {
+            given.bend = e.bend;
+            given.twist = e.twist;
+        }
+        if (sharps) given.sharp = e.sharp;
+        known = surfmink_curve_edges(&given, P, scratch, &out);
         if (!(total > 1)) continue; /* that would be ill-conditioned */
         CHECK_OK(known);
         CHECK_CLOSE(w.length, length, 1e-14);
@@ -1185,27 +1365,34 @@ THEOREM(the_scheme_is_its_formulas_whatever_the_edges)
 /* High ranks come in blocks of 24. */
 THEOREM(high_ranks_are_the_same_however_many_are_asked_for)
 {
-    static double few[31], many[101], error[101], g[202], power[202];
+    static double few[31], few_errors[31], many[101], error[101], g[202];
     static outline o;
     chance c = {74};
-    int p, order;
-    for (order = 2; order <= 4; order += 2) {
-        some_outline(&c, PLANE, 300, &o);
-        CHECK_OK(surfmink_curve_plane(o.corner, NULL, o.n, order, 30, scratch, few, NULL, NULL, NULL, NULL));
-        CHECK_OK(surfmink_curve_plane(o.corner, NULL, o.n, order, 100, scratch, many, error, g, NULL, NULL));
+    surfmink_curve_results short_out = {few, few_errors, NULL, NULL}, out = {many, error, g, NULL};
+    surfmink_outline view;
+    surfmink_curve_options options = {2, NULL, 0, NULL};
+    int p;
+    for (; options.order <= 4; options.order += 2) {
+        some_outline(&c, SURFMINK_PLANE, 300, &o);
+        view = surfmink_plane(o.corner, o.n);
+        CHECK_OK(surfmink_curve(&view, &options, 30, scratch, &short_out, NULL));
+        CHECK_OK(surfmink_curve(&view, &options, 100, scratch, &out, NULL));
         for (p = 0; p <= 30; ++p) CHECK_NEAR(many[p], few[p], 1e-15);
+        for (p = 0; p <= 30; ++p) CHECK_NEAR(error[p], few_errors[p], 1e-14);
         for (p = 0; p <= 100; ++p) CHECK_NEAR(hypot(g[2 * p], g[2 * p + 1]) / g[0], many[p], 1e-14);
     }
     /* A circle is 0 at all ranks, and its polygon 1 at the number of its corners. */
-    o.n = 100;
+    options.order = 4;
+    view = surfmink_plane(o.corner, 100);
     for (p = 0; p < 100; ++p) {
         o.corner[2 * p] = cos(2 * PI * p / 100);
         o.corner[2 * p + 1] = sin(2 * PI * p / 100);
+        o.sharp[p] = 1;
     }
-    CHECK_OK(surfmink_curve_plane(o.corner, NULL, 100, 4, 100, scratch, many, NULL, power, NULL, NULL));
+    CHECK_OK(surfmink_curve(&view, &options, 100, scratch, &out, NULL));
     CHECK_NEAR(many[100], 0, 1e-12); /* sin(pi) / pi */
-    for (p = 0; p < 100; ++p) o.sharp[p] = 1;
-    CHECK_OK(surfmink_curve_plane(o.corner, o.sharp, 100, 4, 100, scratch, many, NULL, power, NULL, NULL));
+    options.sharp = o.sharp;
+    CHECK_OK(surfmink_curve(&view, &options, 100, scratch, &out, NULL));
     CHECK_NEAR(many[100], 1, 1e-12); /* the polygon itself */
     CHECK_NEAR(many[50], 0, 1e-12);
 }
@@ -1214,13 +1401,15 @@ THEOREM(high_ranks_are_the_same_however_many_are_asked_for)
 THEOREM(bends_of_a_sphere_and_of_a_cylinder_are_known)
 {
     double corner[12], bend[4], twist[4], normal[12], a, t;
+    surfmink_outline view;
     size_t i, bad = 9;
     for (i = 0; i < 4; ++i) {
         corner[3 * i] = 3 * sin(0.2) * cos(PI / 2 * (double)i);
         corner[3 * i + 1] = 3 * sin(0.2) * sin(PI / 2 * (double)i);
         corner[3 * i + 2] = 3 * cos(0.2);
     }
-    CHECK_OK(surfmink_bends_embedded(corner, corner, 4, bend, twist, &bad));
+    view = surfmink_embedded(corner, corner, 4);
+    CHECK_OK(surfmink_curve_bends(&view, bend, twist, &bad));
     a = sqrt(2) * sin(0.2); /* chord of the unit sphere, = |dn| */
     for (i = 0; i < 4; ++i) CHECK_NEAR(bend[i], -a, 1e-15);
     for (i = 0; i < 4; ++i) CHECK_NEAR(twist[i], 0, 1e-15);
@@ -1231,7 +1420,8 @@ THEOREM(bends_of_a_sphere_and_of_a_cylinder_are_known)
         corner[3 * i + 2] = i >= 2 ? 0.1 : i == 1 ? 0.1 * 0.75 : 0;
         normal[3 * i + 2] = 0;
     }
-    CHECK_OK(surfmink_bends_embedded(corner, normal, 4, bend, twist, NULL));
+    view.normal = normal;
+    CHECK_OK(surfmink_curve_bends(&view, bend, twist, NULL));
     a = 2 * sin(0.05); /* dn = a along the circle; the edge rises by 0.075 */
     CHECK_NEAR(bend[0], -a * a / hypot(a, 0.075), 1e-15);
     CHECK_NEAR(twist[0], a * 0.075 / hypot(a, 0.075), 1e-15);
@@ -1256,10 +1446,10 @@ THEOREM(a_bad_outline_is_named_and_changes_nothing)
     chance c = {80};
     measured m;
     int kind, order;
-    for (kind = PLANE; kind < KINDS; ++kind)
+    for (kind = SURFMINK_PLANE; kind < KINDS; ++kind)
         for (order = 2; order <= 4; order += 2) {
-            size_t dim = kind == PLANE ? 2 : 3, k;
-            some_outline(&c, (enum kind)kind, 12, &good);
+            size_t dim = kind == SURFMINK_PLANE ? 2 : 3, k;
+            some_outline(&c, (enum surfmink_kind)kind, 12, &good);
             CASE("%s, order %d", kind_name[kind], order);
             o = good;
             o.n = 2;
@@ -1268,11 +1458,11 @@ THEOREM(a_bad_outline_is_named_and_changes_nothing)
             o = good;
             o.corner[5 * dim] = nan("");
             m = measure_only(&o, NULL, order, P);
-            is_refused(&m, SURFMINK_NOT_FINITE, kind == CALLBACKS ? 4 : 5);
+            is_refused(&m, SURFMINK_NOT_FINITE, kind == SURFMINK_SURFACE ? 4 : 5);
             o = good;
             for (k = 0; k < dim; ++k) o.corner[4 * dim + k] = o.corner[3 * dim + k];
             m = measure_only(&o, NULL, order, P);
-            is_refused(&m, SURFMINK_COINCIDENT_CORNERS, kind == CALLBACKS ? 3 : 4);
+            is_refused(&m, SURFMINK_COINCIDENT_CORNERS, kind == SURFMINK_SURFACE ? 3 : 4);
             o = good;
             surfmink_reverse(o.corner, o.n, dim);
             surfmink_reverse(o.normal, o.n, 3);
@@ -1282,7 +1472,7 @@ THEOREM(a_bad_outline_is_named_and_changes_nothing)
             is_refused(&m, SURFMINK_BAD_ARGUMENT, o.n);
             m = measure_only(&good, NULL, 3, P);
             is_refused(&m, SURFMINK_BAD_ARGUMENT, o.n);
-            if (kind != SPHERE) continue;
+            if (kind != SURFMINK_SPHERE) continue;
             for (k = 0; k < 4; ++k) {
                 static const double radius[3] = {-1, 0, 1e308};
                 o = good;
@@ -1299,23 +1489,29 @@ THEOREM(opposite_normals_of_neighbours_are_refused)
     static outline o;
     chance c = {81};
     measured m;
+    surfmink_outline view;
     double bend[12], twist[12];
     size_t bad = 0, k, at;
     int round;
     for (round = 0; round < 3; ++round) { /* from corner 4 to 5, 10 to 11, 11 to 0 */
         at = round == 0 ? 5 : 11;
-        some_outline(&c, EMBEDDED, 12, &o);
+        some_outline(&c, SURFMINK_EMBEDDED, 12, &o);
         for (k = 0; k < 3; ++k) o.normal[3 * at + k] = -o.normal[(round < 2 ? 3 * at - 3 : 0) + k];
         bend[0] = twist[0] = 7;
-        CHECK_STATUS(surfmink_bends_embedded(o.corner, o.normal, 12, bend, twist, &bad), SURFMINK_ZERO_NORMAL);
+        view = surfmink_embedded(o.corner, o.normal, 12);
+        CHECK_STATUS(surfmink_curve_bends(&view, bend, twist, &bad), SURFMINK_OPPOSITE_NORMALS);
         CHECK_EQUAL(bad, at);
         CHECK_EQUAL(bend[0], 7);
         CHECK_EQUAL(twist[0], 7);
         m = measure_only(&o, NULL, 4, P);
-        is_refused(&m, SURFMINK_ZERO_NORMAL, at);
+        is_refused(&m, SURFMINK_OPPOSITE_NORMALS, at);
     }
-    CHECK_STATUS(surfmink_bends_embedded(o.corner, o.normal, 2, bend, twist, &bad), SURFMINK_TOO_FEW_CORNERS);
+    view.n = 2;
+    CHECK_STATUS(surfmink_curve_bends(&view, bend, twist, &bad), SURFMINK_TOO_FEW_CORNERS);
     CHECK_EQUAL(bad, 2);
+    view = surfmink_sphere(o.corner, 12, 1);
+    CHECK_STATUS(surfmink_curve_bends(&view, bend, twist, &bad), SURFMINK_BAD_ARGUMENT);
+    CHECK_EQUAL(bad, 12);
 }
 
 /* Turns of 0.1 in all, and a surface with K > 0 that takes that away between edges and arcs. */
@@ -1325,7 +1521,14 @@ THEOREM(a_curve_whose_s_is_not_positive_is_refused)
     static const double k[3] = {11.999999, 12, 13};
     static const int status[3] = {SURFMINK_OK, SURFMINK_TOO_MUCH_CURVATURE, SURFMINK_CLOCKWISE};
     surfmink_functionals w;
+    surfmink_curve_measured e = {6, NULL, NULL, NULL, NULL, NULL, NULL};
+    surfmink_curve_results out = {NULL, NULL, NULL, NULL};
     size_t i, j;
+    e.length = length;
+    e.turning = turning;
+    e.curvature = curvature;
+    out.mu = mu;
+    out.w = &w;
     for (j = 0; j < 3; ++j) {
         for (i = 0; i < 6; ++i) {
             length[i] = 1;
@@ -1333,8 +1536,7 @@ THEOREM(a_curve_whose_s_is_not_positive_is_refused)
             curvature[i] = k[j];
         }
         mu[0] = 7;
-        CHECK_STATUS(surfmink_curve_edges(length, turning, NULL, NULL, curvature, NULL, 6, 0, scratch, mu, NULL, &w),
-                     status[j]);
+        CHECK_STATUS(surfmink_curve_edges(&e, 0, scratch, &out), status[j]);
         CHECK_EQUAL(mu[0], status[j] == SURFMINK_OK ? 1 : 7);
     }
     CHECK_NEAR(w.turning, 0.1 * 1e-6 / 12, 1e-13);
@@ -1344,68 +1546,126 @@ THEOREM(edges_that_are_none_are_refused)
 {
     double length[6], turning[6], bend[6] = {0}, twist[6] = {0}, curvature[6] = {0}, mu[3] = {7};
     const unsigned char ends[6] = {1, 0, 0, 0, 0, 1};
+    surfmink_curve_measured e = {6, NULL, NULL, NULL, NULL, NULL, NULL};
+    surfmink_curve_results out = {NULL, NULL, NULL, NULL};
     size_t i;
+    e.length = length;
+    e.turning = turning;
+    out.mu = mu;
     for (i = 0; i < 6; ++i) {
         length[i] = 1;
         turning[i] = PI / 3;
     }
-    CHECK_OK(surfmink_curve_edges(length, turning, bend, twist, curvature, NULL, 6, 2, scratch, mu, NULL, NULL));
+#define MEASURES(a, w, k, count, rank, status)                      \
+    (e.bend = (a), e.twist = (w), e.curvature = (k), e.n = (count), \
+     CHECK_STATUS(surfmink_curve_edges(&e, rank, scratch, &out), status))
+    MEASURES(bend, twist, curvature, 6, 2, SURFMINK_OK);
     mu[0] = 7;
-#define REFUSES(a, w, k, n, rank, status) \
-    CHECK_STATUS(surfmink_curve_edges(length, turning, a, w, k, NULL, n, rank, scratch, mu, NULL, NULL), status)
-    REFUSES(bend, NULL, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
-    REFUSES(NULL, twist, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
-    REFUSES(NULL, NULL, NULL, 6, -1, SURFMINK_BAD_ARGUMENT);
-    REFUSES(NULL, NULL, NULL, 2, 2, SURFMINK_TOO_FEW_CORNERS);
+    MEASURES(bend, NULL, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
+    MEASURES(NULL, twist, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
+    MEASURES(NULL, NULL, NULL, 6, -1, SURFMINK_BAD_ARGUMENT);
+    MEASURES(NULL, NULL, NULL, 2, 2, SURFMINK_TOO_FEW_CORNERS);
     length[5] = 0;
-    REFUSES(NULL, NULL, NULL, 6, 2, SURFMINK_COINCIDENT_CORNERS);
+    MEASURES(NULL, NULL, NULL, 6, 2, SURFMINK_COINCIDENT_CORNERS);
     length[5] = -1;
-    REFUSES(NULL, NULL, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
+    MEASURES(NULL, NULL, NULL, 6, 2, SURFMINK_BAD_ARGUMENT);
     length[5] = 1;
     bend[5] = nan("");
-    REFUSES(bend, twist, NULL, 6, 2, SURFMINK_NOT_FINITE);
+    MEASURES(bend, twist, NULL, 6, 2, SURFMINK_NOT_FINITE);
     bend[5] = 0;
     twist[5] = HUGE_VAL;
-    REFUSES(bend, twist, NULL, 6, 2, SURFMINK_NOT_FINITE);
+    MEASURES(bend, twist, NULL, 6, 2, SURFMINK_NOT_FINITE);
     curvature[5] = nan("");
-    REFUSES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
+    MEASURES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
     for (i = 0; i < 6; ++i) turning[i] = 1e200; /* and curves that wind as often are longer than anything */
-    REFUSES(NULL, NULL, NULL, 6, 2, SURFMINK_NOT_FINITE);
+    MEASURES(NULL, NULL, NULL, 6, 2, SURFMINK_NOT_FINITE);
     for (i = 0; i < 6; ++i) turning[i] = PI / 3;
     curvature[5] = 1e308; /* finite, but not what it makes of an edge */
     length[5] = 10;
-    REFUSES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
+    MEASURES(NULL, NULL, curvature, 6, 2, SURFMINK_NOT_FINITE);
     length[5] = 1;
     twist[5] = 0;
     bend[5] = 1e130; /* a straight arc between two sharp corners, so that nothing but its length tells */
-    CHECK_STATUS(surfmink_curve_edges(length, turning, bend, twist, NULL, ends, 6, 2, scratch, mu, NULL, NULL),
-                 SURFMINK_NOT_FINITE);
+    e.sharp = ends;
+    MEASURES(bend, twist, NULL, 6, 2, SURFMINK_NOT_FINITE);
     CHECK_EQUAL(mu[0], 7);
-#undef REFUSES
+#undef MEASURES
 }
 
-/* Torsion of an edge that is next to nothing beside its neighbours. */
-THEOREM(lengths_too_unlike_to_divide_by_are_refused_and_not_nonsense)
+/* A last point that repeats the first but for a rounding: the status has a name of its own, and the corner that does
+   not belong there is blamed. */
+THEOREM(a_corner_that_nearly_repeats_another_is_refused)
 {
-    double length[6], turning[6], bend[6], twist[6], mu[3] = {7}, least;
-    int status, ok = 0, refused = 0;
-    size_t i;
-    for (least = 1e40; least > 0; least *= 1e-4) { /* down to denormals, which go under beside 1e40 */
-        for (i = 0; i < 6; ++i) {
-            length[i] = i == 2 ? least : 1e40;
-            turning[i] = PI / 3;
-            bend[i] = 0.1;
-            twist[i] = i == 2 ? 1 : 0.1;
+    static outline o;
+    static const double apart[4] = {1e-16, 1e-12, 1e-6, 1e-5};
+    measured m;
+    size_t n = 120, at, i;
+    int k, where;
+    o.kind = SURFMINK_PLANE;
+    for (k = 0; k < 4; ++k)
+        for (where = 0; where < 3; ++where) {
+            at = where == 0 ? n - 1 : where == 1 ? 1 : 50; /* the point that repeats the one before, or the first */
+            o.n = n;
+            for (i = 0; i < n; ++i) {
+                size_t place = i < at || where == 0 ? i : i - 1;
+                double t = 2 * PI * (double)place / (double)(n - 1);
+                o.corner[2 * i] = 1.5 * cos(t);
+                o.corner[2 * i + 1] = sin(t);
+            }
+            for (i = 0; i < 2; ++i) o.corner[2 * at + i] = o.corner[2 * (where == 0 ? 0 : at - 1) + i];
+            o.corner[2 * at + (where == 2)] *= 1 + 4 * apart[k] / 3; /* along the curve would be better at the top */
+            CASE("%g apart, corner %d", apart[k], (int)at);
+            m = measure_only(&o, NULL, 4, P);
+            is_refused(&m, SURFMINK_CURVE_UNLIKE_EDGES, at);
+            m = measure_only(&o, NULL, 2, P);
+            CHECK_OK(m.status); /* a polygon may have such an edge */
+            CHECK_EQUAL(surfmink_merge(o.corner, NULL, o.n, 2, 1e-4), n - 1);
+            o.n = n - 1;
+            m = measure_only(&o, NULL, 4, P);
+            CHECK_OK(m.status);
         }
-        mu[1] = 7;
-        status = surfmink_curve_edges(length, turning, bend, twist, NULL, NULL, 6, 2, scratch, mu, NULL, NULL);
-        if (status == SURFMINK_OK) CHECK(mu[1] >= 0 && mu[1] <= 1);
-        if (status != SURFMINK_OK) CHECK_EQUAL(mu[1], 7);
-        ok += status == SURFMINK_OK;
-        refused += status == SURFMINK_NOT_FINITE;
-    }
-    CHECK(ok > 1);
-    CHECK(refused > 1);
+    CHECK(strcmp(surfmink_curve_status_name(SURFMINK_CURVE_UNLIKE_EDGES), "unlike_edges") == 0);
+    CHECK(strcmp(surfmink_curve_status_name(SURFMINK_CLOCKWISE), "clockwise") == 0);
+    CHECK(strstr(surfmink_curve_strerror(SURFMINK_CURVE_UNLIKE_EDGES), "1000 times") != NULL);
+    CHECK(strcmp(surfmink_curve_strerror(SURFMINK_OK), surfmink_strerror(SURFMINK_OK)) == 0);
+    CHECK(*surfmink_strerror(SURFMINK_CURVE_UNLIKE_EDGES) == 0);
+}
+
+/* Up to 1 : 1000, on either side; a sharp corner may lie between edges of any lengths. */
+THEOREM(edges_are_unlike_from_a_factor_of_1000_on)
+{
+    double length[6], turning[6], mu[3];
+    unsigned char sharp[6] = {0};
+    surfmink_curve_measured e = {6, NULL, NULL, NULL, NULL, NULL, NULL};
+    surfmink_curve_results out = {NULL, NULL, NULL, NULL};
+    size_t i, at;
+    int longer;
+    e.length = length;
+    e.turning = turning;
+    out.mu = mu;
+    for (longer = 0; longer < 2; ++longer)
+        for (at = 0; at < 6; ++at) {
+            for (i = 0; i < 6; ++i) {
+                length[i] = 1;
+                turning[i] = PI / 3;
+                sharp[i] = 0;
+            }
+            CASE("edge %d %s", (int)at, longer ? "longer" : "shorter");
+            length[at] = longer ? 1e3 : 1.0000001e-3;
+            e.sharp = NULL;
+            CHECK_OK(surfmink_curve_edges(&e, 2, scratch, &out));
+            length[at] = longer ? 1000.001 : 0.999e-3;
+            mu[1] = 7;
+            CHECK_STATUS(surfmink_curve_edges(&e, 2, scratch, &out), SURFMINK_CURVE_UNLIKE_EDGES);
+            CHECK_EQUAL(mu[1], 7);
+            length[at] = longer ? 1e40 : 1e-40;
+            e.sharp = sharp;
+            sharp[at] = 1;
+            CHECK_STATUS(surfmink_curve_edges(&e, 2, scratch, &out), SURFMINK_CURVE_UNLIKE_EDGES);
+            sharp[(at + 1) % 6] = 1;
+            CHECK_OK(surfmink_curve_edges(&e, 2, scratch, &out));
+            CHECK(mu[1] >= 0 && mu[1] <= 1);
+        }
 }
 
 /* Callbacks that fail at their k-th call, for all k; a curvature that is none. */
@@ -1431,113 +1691,123 @@ static int curvature_that_fails(void *context, const double *x, double *curvatur
 
 THEOREM(a_callback_that_fails_is_reported_with_its_corner)
 {
-    enum { N = 10 };
+    enum { N = 24 };
     double corner[2 * N];
     surfmink_surface s = hyperbolic_plane();
+    surfmink_outline view = surfmink_on_surface(&s, corner, N);
+    surfmink_curve_options options = {2, NULL, -1, NULL};
     measured m;
-    int k, order;
+    surfmink_curve_results out = results_of(&m);
+    int k, calls;
     size_t i;
     s.log = log_that_fails;
     for (i = 0; i < N; ++i) {
         corner[2 * i] = 0.3 * cos(2 * PI * (double)i / N);
-        corner[2 * i + 1] = 0.3 * sin(2 * PI * (double)i / N);
+        corner[2 * i + 1] = 0.2 * sin(2 * PI * (double)i / N);
     }
-#define MEASURE(by)                                                                                                \
-    (memset(&m, 0x5a, sizeof m), m.status = surfmink_curve_surface(&s, -1, by, corner, NULL, N, order, P, scratch, \
-                                                                   m.mu, m.error, m.g, &m.w, &m.bad))
-    for (order = 2; order <= 4; order += 2)
-        for (k = 0; k < 2 * N + 1; ++k) {
+#define MEASURE(by)                                           \
+    (memset(&m, 0x5a, sizeof m), options.curvature_at = (by), \
+     m.status = surfmink_curve(&view, &options, P, scratch, &out, &m.bad))
+    for (options.order = 2; options.order <= 4; options.order += 2) {
+        calls = options.order == 2 ? 4 * N : 2 * N; /* of surfmink_measure, and of edges to make arcs of */
+        for (k = 0; k <= 8 * N; ++k) {
             fails.status = SURFMINK_ANTIPODAL_CORNERS;
             fails.logs = k;
             MEASURE(NULL);
-            if (k < 2 * N)
-                is_refused(&m, SURFMINK_ANTIPODAL_CORNERS, (size_t)k / 2);
-            else /* measured; but for every second corner it was asked once more */
+            if (k < calls)
+                is_refused(&m, SURFMINK_ANTIPODAL_CORNERS, (size_t)(k % (2 * N)) / 2);
+            else if (k < calls + 4 * N) /* measured; but every second or fourth corner was not */
                 is_unknown(&m);
+            else
+                CHECK(m.status == SURFMINK_OK && m.error[0] < 1);
         }
-    order = 4;
+    }
+    options.order = 4;
     fails.logs = -1;
     fails.curvature = -1;
-    for (k = 0; k < 2 * N; ++k) {
+    for (k = 0; k <= N; ++k) {
         fails.status = k % 2 ? 99 : SURFMINK_ANTIPODAL_CORNERS;
         fails.curvatures = k;
         MEASURE(curvature_that_fails);
         if (k < N)
             is_refused(&m, k % 2 ? SURFMINK_CALLBACK_FAILED : SURFMINK_ANTIPODAL_CORNERS, (size_t)k);
-        else
-            is_unknown(&m);
+        else /* asked once for each corner, whatever the errors take */
+            CHECK(m.status == SURFMINK_OK && m.error[3] < 1);
     }
     fails.curvatures = -1;
-    MEASURE(curvature_that_fails);
-    CHECK_OK(m.status);
-    CHECK(m.error[3] < 1);
     fails.curvature = nan("");
     MEASURE(curvature_that_fails);
     is_refused(&m, SURFMINK_CALLBACK_FAILED, 0);
-    m.status =
-        surfmink_curve_surface(&s, nan(""), NULL, corner, NULL, N, 4, P, scratch, NULL, NULL, NULL, NULL, &m.bad);
-    CHECK_STATUS(m.status, SURFMINK_NOT_FINITE);
-    CHECK_EQUAL(m.bad, N);
+    options.curvature = nan("");
+    MEASURE(NULL);
+    is_refused(&m, SURFMINK_NOT_FINITE, N);
+    options.curvature = -1;
     s.log = NULL;
     MEASURE(NULL);
     is_refused(&m, SURFMINK_BAD_ARGUMENT, N);
 #undef MEASURE
 }
 
-/* An octagon whose length a double can hold, a narrow rectangle whose area it can; but not those of the curves. */
+/* Outlines whose length and area a double can hold; but not those of the curves. */
 THEOREM(a_length_or_an_area_that_overflows_is_refused)
 {
     static outline o;
+    surfmink_surface s = {NULL, 2, flat_log, NULL};
+    surfmink_outline view = surfmink_on_surface(&s, o.corner, 8);
+    surfmink_curve_options options = {2, NULL, 0, NULL};
     size_t i;
     measured m;
-    o.kind = PLANE;
+    surfmink_curve_results out = results_of(&m);
+    o.kind = SURFMINK_PLANE;
     o.n = 4;
     for (i = 0; i < o.n; ++i) {
-        o.corner[2 * i] = i == 1 || i == 2 ? 2.5e154 : 0;
-        o.corner[2 * i + 1] = i >= 2 ? 1e150 : 0;
+        o.corner[2 * i] = i == 1 || i == 2 ? 1.3e154 : 0;
+        o.corner[2 * i + 1] = i >= 2 ? 1.3e154 : 0;
     }
     m = measure_only(&o, NULL, 2, P);
     CHECK_OK(m.status);
     m = measure_only(&o, NULL, 4, P);
     is_refused(&m, SURFMINK_NOT_FINITE, o.n);
-    o.kind = EMBEDDED;
-    o.n = 8;
-    memset(o.normal, 0, sizeof o.normal);
-    for (i = 0; i < o.n; ++i) {
-        double t = 2 * PI * (double)i / (double)o.n, size = 1.797e308 / (16 * sin(PI / 8));
-        o.corner[3 * i] = size * cos(t);
-        o.corner[3 * i + 1] = size * sin(t);
-        o.corner[3 * i + 2] = 0;
-        o.normal[3 * i + 2] = 1;
+    for (i = 0; i < 8; ++i) {
+        o.corner[2 * i] = 1.79e308 / (16 * sin(PI / 8)) * cos(2 * PI * (double)i / 8);
+        o.corner[2 * i + 1] = 1.79e308 / (16 * sin(PI / 8)) * sin(2 * PI * (double)i / 8);
     }
-    m = measure_only(&o, NULL, 2, P);
+    m.status = surfmink_curve(&view, &options, P, scratch, &out, &m.bad);
     CHECK_OK(m.status);
-    m = measure_only(&o, NULL, 4, P);
-    is_refused(&m, SURFMINK_NOT_FINITE, o.n);
+    memset(&m, 0x5a, sizeof m);
+    options.order = 4;
+    m.status = surfmink_curve(&view, &options, P, scratch, &out, &m.bad);
+    is_refused(&m, SURFMINK_NOT_FINITE, 8);
+    for (i = 0; i < 16; ++i) o.corner[i] *= 0.9; /* still the longest that has no power of two above it */
+    CHECK_OK(surfmink_curve(&view, &options, P, scratch, &out, NULL));
+    CHECK(m.w.length > 1.6e308 && m.w.length < HUGE_VAL);
 }
 
 int main(void)
 {
     PROVE(order_4_is_the_documented_scheme);
-    PROVE(flowers_on_a_sphere_an_ellipsoid_and_a_torus_converge_at_fourth_order);
+    PROVE(flowers_on_three_surfaces_converge_at_fourth_order);
     PROVE(curves_of_the_plane_converge_at_fourth_order);
-    PROVE(a_corner_called_sharp_where_the_curve_is_smooth_costs_no_order);
-    PROVE(without_the_corrections_the_same_curves_converge_at_second_order);
+    PROVE(a_corner_marked_sharp_where_it_is_smooth_costs_no_order);
+    PROVE(without_corrections_curves_converge_at_second_order);
     PROVE(circles_of_the_hyperbolic_plane_converge_at_fourth_order);
+    PROVE(geodesics_and_chords_lead_to_the_same_curve);
     PROVE(areas_converge_at_fourth_order_too);
-    PROVE(corners_or_normals_off_by_a_hundredth_take_the_gain_away);
-    PROVE(arcs_between_sharp_corners_converge_at_fourth_order_if_the_corners_are_marked_and_at_first_if_not);
-    PROVE(half_an_ellipse_with_its_two_corners_marked_converges_at_fourth_order);
+    PROVE(errors_of_a_hundredth_take_the_gain_away);
+    PROVE(arcs_converge_at_fourth_order_if_their_ends_are_marked);
+    PROVE(half_an_ellipse_converges_at_fourth_order);
     PROVE(a_polygon_with_all_corners_marked_is_what_the_polygon_is);
-    PROVE(on_the_sides_of_a_polygon_order_4_errs_at_first_order_unless_its_corners_are_marked);
-    PROVE(nearly_all_errors_are_within_a_factor_of_two_of_their_estimates);
-    PROVE(of_a_circle_the_estimate_of_the_length_is_known);
+    PROVE(straight_edges_do_not_count_as_errors);
+    PROVE(order_4_errs_on_polygons_unless_their_corners_are_marked);
+    PROVE(errors_of_unseen_curves_are_within_their_estimates);
+    PROVE(the_length_of_a_circle_is_off_by_less_than_its_estimate);
     PROVE(where_nothing_can_be_said_the_estimate_is_one);
+    PROVE(of_corners_by_chance_no_small_error_is_claimed);
     PROVE(every_output_may_be_left_out);
     PROVE(order_2_is_the_measure_of_the_polygon_to_the_bit);
     PROVE(the_curve_does_not_depend_on_which_corner_comes_first);
     PROVE(components_at_another_edge_differ_by_a_rotation);
-    PROVE(the_curve_does_not_depend_on_where_it_lies_and_how_large_it_is);
+    PROVE(the_curve_does_not_depend_on_its_place_and_size);
     PROVE(the_sphere_by_callbacks_is_the_sphere);
     PROVE(a_plane_in_space_is_the_plane);
     PROVE(edges_and_bends_are_all_that_the_surface_contributes);
@@ -1548,7 +1818,8 @@ int main(void)
     PROVE(opposite_normals_of_neighbours_are_refused);
     PROVE(a_curve_whose_s_is_not_positive_is_refused);
     PROVE(edges_that_are_none_are_refused);
-    PROVE(lengths_too_unlike_to_divide_by_are_refused_and_not_nonsense);
+    PROVE(a_corner_that_nearly_repeats_another_is_refused);
+    PROVE(edges_are_unlike_from_a_factor_of_1000_on);
     PROVE(a_callback_that_fails_is_reported_with_its_corner);
     PROVE(a_length_or_an_area_that_overflows_is_refused);
     return QED();

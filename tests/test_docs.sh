@@ -1,7 +1,7 @@
 #!/bin/sh
 # test_docs.sh BUILD CC [--tools]: do README.md and docs/*.md tell the truth? Every block of code in them is compiled or
 # run, with the commands in BUILD; what it prints must be the ```text block that follows it. The quick start of the
-# header is compiled too.
+# header and examples/octant.c are compiled too.
 #
 #   ```c              a program
 #   ```sh             commands, in a folder with examples/, tests/, surfmink.h and what earlier blocks have written
@@ -107,5 +107,13 @@ done
 echo "mu_3 = 1.000, mu_4 = 0.000" > "$work/want"
 $cc -std=c99 -I. "$work/quick.c" -o "$work/quick" -lm > "$work/got" 2>&1 && "$work/quick" > "$work/got" 2>&1
 verdict "the quick start of surfmink.h" $?
+
+# examples/octant.c is the first program of README.md
+sed 's,"../surfmink.h","surfmink.h",' examples/octant.c > "$work/want"
+awk '/^```c$/ { on = 1; next } /^```/ && on { exit } on' README.md > "$work/got"
+verdict "examples/octant.c is the program in README.md" $?
+awk '/^```c$/ { after = 1 } /^```$/ && on { exit } on { print } /^```text$/ && after { on = 1 }' README.md > "$work/want"
+$cc -std=c99 examples/octant.c -o "$work/octant" -lm > "$work/got" 2>&1 && "$work/octant" > "$work/got" 2>&1
+verdict "examples/octant.c" $?
 
 totals

@@ -7,8 +7,8 @@ root=$PWD
 
 # A copy of what the page speaks of, to build in.
 mkdir -p "$work/examples" "$work/bin"
-cp -R Makefile surfmink.h examples/languages tests "$work"
-mv "$work/languages" "$work/examples"
+cp -R Makefile surfmink.h examples/languages examples/beyond tests "$work"
+mv "$work/languages" "$work/beyond" "$work/examples"
 cp -R examples/data "$work/examples"
 cp docs/languages.md "$work/page.md"
 cd "$work" || exit 1
@@ -74,11 +74,11 @@ check "cells.R" "$(Rscript examples/languages/cells.R examples/languages/surfmin
     "$(cat story)"
 
 # What the modules promise, and the places where surfmink.py looks.
-check "surfmink.py" "$(python3 tests/check/languages.py "$surfmink" examples/data/tissue.tsv)" "30 passed, 0 failed"
+check "surfmink.py" "$(python3 tests/check/languages.py "$surfmink" examples/data/tissue.tsv)" "32 passed, 0 failed"
 check "surfmink_r.c" "$(Rscript tests/check/languages.R examples/languages/surfmink_r.so 2>&1)" "18 passed, 0 failed"
 gfortran -std=f2018 -Wall -Wextra -Werror -J. examples/languages/surfmink.f90 tests/check/languages.f90 $linked \
     -o modules 2>&1
-check "surfmink.f90" "$(./modules 2>&1)" "30 passed, 0 failed"
+check "surfmink.f90" "$(./modules 2>&1)" "43 passed, 0 failed"
 gfortran -std=f2018 -Wall -Wextra -Werror -J. examples/languages/surfmink.f90 examples/languages/cells.f90 $linked \
     -o cells > warned 2>&1
 check "gfortran has nothing to say" "$(cat warned)" ""
@@ -97,8 +97,8 @@ SURFMINK_LIBRARY=$surfmink python3 -c 'import surfmink' 2> err
 check "not another than SURFMINK_LIBRARY names" "$?" 1
 
 # The library itself.
-cc='gcc -std=c99 -E -P -DSURFMINK_DEF=extern surfmink.h'
-check "the library exports what the header declares, and nothing else" \
+cc='gcc -std=c99 -E -P -DSURFMINK_DEF=extern examples/languages/flat.h'
+check "the library exports what surfmink.h and flat.h declare, and nothing else" \
     "$(nm -D --defined-only .build/libsurfmink.so | awk '{ print $3 }' | sort)" \
     "$($cc | grep -o 'surfmink_[a-z_]*(' | tr -d '(' | sort -u)"
 version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)

@@ -236,10 +236,10 @@ check "a pinched vertex" "$status $(cat err)" \
 
 hint="(levelset --help shows examples)"
 refuses 1 "levelset: there is no mesh $hint"
-refuses 1 "levelset: there is no FIELD and no --function $hint" oct.off --at 1
+refuses 1 "levelset: there is no FIELD, no --field and no --function $hint" oct.off --at 1
 refuses 1 "levelset: there is no --at $hint" oct.off z.txt
 refuses 1 "levelset: one mesh and one field, this is one file more: more $hint" oct.off z.txt more --at 1
-both="FIELD and --function, or MESH and --subdivide, exclude each other"
+both="FIELD, --field and --function, or MESH and --subdivide, exclude each other"
 refuses 1 "levelset: $both: z.txt $hint" oct.off z.txt --function x
 refuses 1 "levelset: $both: oct.off $hint" --subdivide ico:1 oct.off --function x
 refuses 1 "levelset: standard input is either MESH or FIELD $hint" - - --at 1
@@ -263,11 +263,172 @@ printf '0\n0\n# two of six\n\n0\nO\n1\n-1\n' > bad.txt
 refuses 1 "bad.txt:6: expected one finite number a line, got 'O'" oct.off bad.txt --at 1
 printf '0\n0\n' > bad.txt
 refuses 1 "bad.txt:2: the file ends after 2 values: the mesh has 6 vertices" oct.off bad.txt --at 1
-sed 's/^3 2 0 5$/4 2 0 5 4/' oct.off > bad.off
-refuses 1 "bad.off:13: a face of 4 corners, not 3" bad.off z.txt --at 1
-sed 's/^3 2 0 5$/3 0 2 5/' oct.off > bad.off
-run bad.off z.txt --at 1
-check "a face that runs the wrong way" "$status $(sed 's/:[0-9]*:.*run/: run/' err)" "1 bad.off: run opposite ways"
+sed 's/^3 2 0 5$/2 2 0/' oct.off > bad.off
+refuses 1 "bad.off:13: a face of 2 corners" bad.off z.txt --at 1
+refuses 1 "levelset: --field is of a MESH in a file, without --function: f $hint" oct.off --field f --function x
+refuses 1 "oct.off: the vertices have no scalar 'f'; they have: none" oct.off --field f --at 0
+
+# --- other meshes: other formats, polygons, soups, fields in the mesh, holes ------------------------------------------
+
+# loops NAME [LINE]: the outline of the octahedron at z = 0.5, in any order; standard error says this.
+run oct.off z.txt --at 0.5
+grep '^0' out | cut -f 3-5 | sort > expected
+same_square() {
+    check "$1: status, complaint" "$status $(cat err)" "0 ${2-}"
+    check "$1: the same square" "$(grep '^0' out | cut -f 3-5 | sort)" "$(cat expected)"
+}
+awk 'NR > 2 && NR < 9 { x[NR - 3] = $0 } NR == 1 { print "solid o" }
+     NR > 8 { print "facet normal 0 0 0\n outer loop"
+              for (k = 2; k < 5; ++k) print "  vertex " x[$k]
+              print " endloop\nendfacet" } END { print "endsolid" }' oct.off > oct.stl
+run oct.stl --function z --at 0.5
+same_square "STL" "oct.stl: 18 vertices are copies of others: joined"
+# bytes TYPE NUMBER...: little-endian, from small whole numbers; f: 4 bytes of a float that is 0, 1 or -1.
+bytes() {
+    type=$1
+    shift
+    for number in "$@"; do
+        case $type$number in
+        f0) printf '\0\0\0\0' ;;
+        f1) printf '\0\0\200\077' ;;
+        f-1) printf '\0\0\200\277' ;;
+        F0) printf '\0\0\0\0' ;;
+        F1) printf '\077\200\0\0' ;;
+        F-1) printf '\277\200\0\0' ;;
+        i*) printf "\\$(printf %o "$number")\\0\\0\\0" ;;
+        I*) printf "\\0\\0\\0\\$(printf %o "$number")" ;;
+        *) printf "\\$(printf %o "$number")" ;;
+        esac
+    done
+}
+{
+    printf '%-80s' "solid, says the header of this binary file"
+    bytes i 8
+    awk 'NR > 2 && NR < 9 { x[NR - 3] = $0 } NR > 8 { print x[$2], x[$3], x[$4] }' oct.off |
+        while read -r facet; do bytes f 0 0 0 $facet; printf '\0\0'; done
+} > binary.stl
+run binary.stl --function z --at 0.5
+same_square "binary STL" "binary.stl: 18 vertices are copies of others: joined"
+cat binary.stl > in
+run - --function z --at 0.5
+same_square "binary STL through a pipe" "-: 18 vertices are copies of others: joined"
+head -c 200 binary.stl > short.stl
+refuses 1 "short.stl: the file ends within its numbers" short.stl --function z
+{ cat binary.stl && echo more; } > long.stl
+refuses 1 "long.stl: bytes after the last of 8 facets of a binary STL" long.stl --function z
+: > in
+for endian in little big; do
+    case $endian in
+    little) float=f int=i ;;
+    big) float=F int=I ;;
+    esac
+    {
+        printf 'ply\nformat binary_%s_endian 1.0\nelement vertex 6\nproperty float x\nproperty float y\n' $endian
+        printf 'property uchar red\nproperty float z\nproperty float height\nelement face 8\nproperty uchar group\n'
+        printf 'property list uchar int vertex_indices\nend_header\n'
+        awk 'NR > 2 && NR < 9' oct.off | while read -r x y z; do
+            bytes $float "$x" "$y"; bytes c 13; bytes $float "$z" "$z"
+        done
+        awk 'NR > 8' oct.off | while read -r n a b c; do bytes c 10 "$n"; bytes $int "$a" "$b" "$c"; done
+    } > $endian.ply
+    run $endian.ply --field height --at 0.5
+    same_square "binary PLY, $endian"
+    has "a field of the mesh: its name in the note" out "# levelset of height on $endian.ply "
+    head -c $(($(wc -c < $endian.ply) - 1)) $endian.ply > short.ply
+    refuses 1 "short.ply: the file ends within its numbers" short.ply --function z
+done
+refuses 1 "big.ply: the vertices have no scalar 'depth'; they have: red height" big.ply --field depth --at 0
+{
+    printf '# vtk DataFile Version 3.0\nno title\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n'
+    awk 'NR > 2 && NR < 9' oct.off
+    printf 'POLYGONS 8 32\n'
+    awk 'NR > 8' oct.off
+    printf 'POINT_DATA 6\nSCALARS other int\nLOOKUP_TABLE default\n1 2 3 4 5 6\nFIELD f 2\nh 1 6 float\n0 0 0 0 1 -1\n'
+    printf 'v 2 6 float\n1 2 3 4 5 6 7 8 9 10 11 12\nNORMALS n float\n1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1\n'
+} > oct.vtk
+run oct.vtk --field h --at 0.5
+same_square "VTK, a field of the mesh"
+near "normals of the file are used, made unit" "$(awk '/^0/ && $3 > 0.4 { print $6 }' out)" 0.7071067811865476
+refuses 1 "oct.vtk:28: 'v' has 2 components, not 1" oct.vtk --field v --at 0
+sed 's/^1 0 0 -1 0 0 0 1 0 0 -1 .*/0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1/' oct.vtk > flat.vtk
+run flat.vtk --field h --at 0.5
+same_square "normals that contradict the faces" \
+    "flat.vtk: its normals contradict its faces, or each other: not used; means over the faces are"
+sed 's/POLYDATA/UNSTRUCTURED_GRID/' oct.vtk > bad.vtk
+is="is no surface: ParaView's filter Extract Surface makes one; save it as PLY"
+refuses 1 "bad.vtk:4: DATASET UNSTRUCTURED_GRID $is" bad.vtk --function z
+sed 's/ASCII/BINARY/' oct.vtk > bad.vtk
+refuses 1 "bad.vtk:3: binary VTK is not read: ParaView saves it as ascii, or as PLY" bad.vtk --function z
+# foreign TEXT WHAT: files of other programs are named.
+foreign() {
+    printf "$1" > foreign
+    refuses 1 "foreign: $2" foreign --function z
+}
+foreign 'glTF\002' "binary glTF is not read: Blender or MeshLab saves it as PLY"
+foreign '<?xml version="1.0"?>\n<VTKFile type="PolyData">' \
+    "XML of VTK is not read: ParaView saves it as PLY, or meshio convert IN OUT.ply"
+foreign '$MeshFormat\n4.1 0 8\n' \
+    "a Gmsh mesh is not read: gmsh IN -save -o OUT.ply2, or meshio convert IN OUT.ply"
+foreign '\037\213\010' "compressed (gzip) is not read: gzip -dc FILE | ... - reads it"
+foreign '\377\377\376' "a FreeSurfer surface is not read: mris_convert IN OUT.stl"
+
+# A box of quads and one hexagon's worth of corners on its top: cut half-way up.
+cat > box.obj << 'END'
+o box
+v 0 0 0
+v 3 0 0
+v 3 1 0
+v 0 1 0
+v 0 0 2
+v 3 0 2
+v 3 1 2
+v 0 1 2
+v 1 0 2
+v 2 1 2
+f 4 3 2 1
+f 5 9 6 7 10 8
+f 1 2 6 9 5
+f 2 3 7 6
+f 3 4 8 10 7
+f 4 1 5 8
+END
+run box.obj --function z --at 1.25 --inside above
+check "polygons are split" "$status $(cat err) $(rows out)" "0  10"
+check "their area" "$(grep -o 'area [0-9.]*' out)" "area 9"
+near "the cut of a box: its perimeter" "$(awk '/^0/ { x[++n] = $3; y[n] = $4 } END { for (i = 1; i <= n; ++i) {
+    j = i % n + 1; l += sqrt((x[i] - x[j]) ^ 2 + (y[i] - y[j]) ^ 2) } printf "%.15g", l }' out)" 8
+
+sed 's/^3 2 0 5$/3 0 2 5/' oct.off > turned.off
+run turned.off z.txt --at 0.5
+same_square "a face that runs the wrong way" "turned.off:13: runs against its neighbours; 1 such face is turned round"
+printf 'OFF\n5 5\n0 0 0\n1 0 0\n1 1 1\n0 1 2\n0 0 3\n3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n' > strip.off
+run strip.off --function z
+check "a surface with one side" "$status $(sed 's/:[0-9]*: .* run/: run/; s/ if.*//' err)" \
+    "1 strip.off: run opposite ways, and so do others"
+
+printf '0\n0\n0\nNaN\n1\n-1\n' > hole.txt
+run oct.off hole.txt --at 0.5
+check "a NaN is a hole: status 2, the curve ends there" "$status $(rows out)" "2 0"
+check "it is told, with its line" "$(cat err)" \
+    "hole.txt:4: vertex 3 (from 0) is the first without a value; a hole of 4 triangles
+oct.off: level 0.5: 1 curve ends at the boundary of the mesh: left out"
+printf '0\n0\n0\n0\n1\nnan\n' > hole.txt
+run oct.off hole.txt --at 0.5
+same_square "a hole elsewhere" "hole.txt:6: vertex 5 (from 0) is the first without a value; a hole of 4 triangles"
+near "and what is measured is the rest" "$(grep -o 'area [0-9.]*' out | cut -d ' ' -f 2)" 2.598076211353316
+awk 'BEGIN { for (i = 0; i < 24; ++i) print (i == 23 ? 7 : 0) }' > copies.txt
+refuses 1 "oct.stl: vertices 14 and 23 (from 0) are one point with two values: 0 and 7" oct.stl copies.txt --at 1
+
+odd=$(printf 'q\033[31m\302\233m.off')
+cp oct.off "$odd"
+run "$odd" z.txt --at 0.5
+check "a name does not command the terminal" "$(sed -n 1p out | cut -c 1-36)" "# levelset of z.txt on q?[31m?m.off "
+run "$odd" none.txt --at 0.5
+check "nor in a complaint" "$(cat err)" "none.txt: cannot be opened"
+run "$(printf 'n\233o')" z.txt --at 0.5
+check "nor a single byte" "$(cat err)" "n?o: cannot be opened"
+run -h
+check "-h is --help" "$status $(sed -n 3p out)" "0 EXAMPLES"
 if [ -w /dev/full ]; then
     "$levelset" oct.off z.txt --at 0.5 > /dev/full 2> err
     check "a full disk" "$? $(sed 's/written.*/written/' err)" "1 levelset: standard output cannot be written"

@@ -6,7 +6,7 @@ build=$(absolute "$1")
 version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
 
 # --- man pages --------------------------------------------------------------------------------------------------------
-for command in surfmink levelset; do
+for command in surfmink levelset outlines; do
     page=docs/$command.1
     "$build/$command" --help > "$work/help"
     # in mdoc an option is .It Fl -name, or .It Fl -name Ar VALUE; in --help one blank goes before VALUE
@@ -70,10 +70,10 @@ for program in "$build"/theory_*; do
     check "$name says what it draws" "$? $(($(wc -l < "$work/said") > 8))" "0 1"
     alike "docs/pictures/$name.svg is up to date (make pictures)" "$work/$name.svg" "docs/pictures/$name.svg"
     check "$name.svg is small" "$(($(wc -c < "$work/$name.svg") < 200000))" 1
-    grep -F "pictures/$name.svg" docs/theory.md > /dev/null
-    count $? "docs/theory.md shows $name.svg" "nowhere" "somewhere"
+    grep -F "pictures/$name.svg" docs/theory.md docs/field.md > /dev/null
+    count $? "docs/theory.md or field.md shows $name.svg" "nowhere" "somewhere"
 done
-"$build/tissue" --cells 60 --relax 1 > "$work/wild.tsv"
+"$build/tissue" --cells 60 --relax 1 --axes 90,60,50 > "$work/wild.tsv"
 "$build/surfmink" --color-by 6 --unit µm --svg "$work/relax_before.svg" "$work/wild.tsv" > "$work/said"
 alike "docs/pictures/relax_before.svg is up to date (docs/beyond.md)" "$work/relax_before.svg" \
     docs/pictures/relax_before.svg

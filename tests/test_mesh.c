@@ -24,7 +24,7 @@ static FILE *file_of(const char *text)
 static int read_text(mesh *m, const char *text, mesh_error *error)
 {
     FILE *file = file_of(text);
-    int status = mesh_read_stream(m, file, "body", error);
+    int status = mesh_read_stream(m, file, "body", NULL, error);
     fclose(file);
     return status;
 }
@@ -211,15 +211,32 @@ THEOREM(off_obj_and_ply_of_one_mesh_read_the_same)
         "gloss\n"
         "element face 8\nproperty uchar group\nproperty list uchar int vertex_indices\nend_header\n"
         "9 1 0 0 .5\n9 -1 0 0 .5\n9 0 1 0 .5\n9 0 -1 0 .5\n9 0 0 1 .5\n9 0 0 -1 .5\n2 7 7 0.25\n"
-        "1 3 0 2 4\n1 3 2 1 4\n1 3 1 3 4\n1 3 3 0 4\n1 3 2 0 5\n1 3 1 2 5\n1 3 3 1 5\n1 3 0 3 5\n"};
-    static const uint32_t first_line[] = {9, 13, 24}; /* of a face */
+        "1 3 0 2 4\n1 3 2 1 4\n1 3 1 3 4\n1 3 3 0 4\n1 3 2 0 5\n1 3 1 2 5\n1 3 3 1 5\n1 3 0 3 5\n",
+        /* counts glued to the word; normals and colours; lone \\r */
+        "STCNOFF6 8 12\r1 0 0 0 0 0\r-1 0 0\r0 1 0\r0 -1 0\r0 0 1\r0 0 -1\r3 0 2 4\r3 2 1 4\r3 1 3 4\r3 3 0 4\r"
+        "3 2 0 5\r3 1 2 5\r3 3 1 5\r3 0 3 5",
+        /* VTK: several points a line, faces across lines, cells of no interest, data behind */
+        "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n1 0 0 -1 0 0 0 1 0\n0 -1 0 0 0 1 0 0 "
+        "-1\nVERTICES 1 2\n1 0\nPOLYGONS 8 32\n3 0 2 4 3 2 1 4\n3 1\n3 4 3 3 0 4\n3 2 0 5 3 1 2 5 3 3 1 5\n3 0 3 5\n"
+        "LINES 1 3\n2 0 1\nCELL_DATA 8\nSCALARS a int 1\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\nPOINT_DATA 6\n"
+        "VECTORS v float\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\nSCALARS h double\nLOOKUP_TABLE default\n1 2 3 4 5 6\n",
+        /* as version 5 of the format has it, with strips of one triangle */
+        "# vtk DataFile Version 5.1\nvtk output\nASCII\nDATASET POLYDATA\nPOINTS 6 double\n1 0 0 -1 0 0 0 1 0 0 -1 0 0 "
+        "0 1 0 0 -1\nMETADATA\nINFORMATION 1\nNAME a LOCATION b\nDATA 2 0 1\n\nPOLYGONS 9 24\nOFFSETS vtktypeint64\n0 "
+        "3 "
+        "6 9 12 15 18 21 24\nCONNECTIVITY vtktypeint64\n0 2 4 2 1 4 1 3 4 3 0 4\n2 0 5 1 2 5 3 1 5 0 3 5\nPOINT_DATA "
+        "6\nFIELD FieldData 1\nh 1 6 double\n1 2 3 4 5 6\nMETADATA\nINFORMATION 0\n\n",
+        "# vtk DataFile Version 2.0\nstrips\nASCII\nDATASET POLYDATA\nPOINTS 6 double\n1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 "
+        "0 "
+        "0 -1\nTRIANGLE_STRIPS 8 32\n3 0 2 4 3 2 1 4 3 1 3 4 3 3 0 4 3 2 0 5 3 1 2 5 3 3 1 5 3 0 3 5\n"};
+    static const unsigned long first_line[] = {9, 13, 24, 8, 11, 16, 8}; /* of a face */
     mesh m, other;
     mesh_error error;
     size_t k;
     CHECK_EQUAL(read_text(&m, octahedron_off, &error), MESH_OK);
     CHECK_EQUAL(m.vertices, 6);
     CHECK_EQUAL(m.triangles, 8);
-    for (k = 0; k < 3; ++k) {
+    for (k = 0; k < sizeof same / sizeof *same; ++k) {
         CASE("variant %d", (int)k);
         CHECK_EQUAL(read_text(&other, same[k], &error), MESH_OK);
         CHECK_EQUAL(other.vertices, 6);
@@ -242,40 +259,38 @@ THEOREM(what_is_wrong_with_a_mesh_file_is_said_with_file_and_line)
     } wrong[] = {
         {"", MESH_MALFORMED, "body: the file is empty"},
         {"# nothing\n\n", MESH_MALFORMED, "body:2: the file is empty"},
-        {"solid stl\n", MESH_MALFORMED, "body:1: expected an OFF, OBJ or PLY mesh, got 'solid stl'"},
-        {"4OFF\n1 1 0\n", MESH_MALFORMED, "body:1: expected an OFF, OBJ or PLY mesh, got '4OFF'"},
+        {"solid stl\n", MESH_MALFORMED, "body:1: expected a mesh: OFF, OBJ, PLY, STL or legacy VTK, got 'solid stl'"},
+        {"4OFF\n1 1 0\n", MESH_MALFORMED, "body:1: expected a mesh: OFF, OBJ, PLY, STL or legacy VTK, got '4OFF'"},
         {"OFF BINARY\n", MESH_MALFORMED, "body:1: binary OFF"},
         {"OFF\n", MESH_MALFORMED, "body:1: the file ends after 0 of 2 counts"},
         {"OFF\n3\n", MESH_MALFORMED, "body:2: expected the numbers of vertices and faces, the line ends"},
         {"OFF\n3 -1 0\n", MESH_MALFORMED, "body:2: expected the numbers of vertices and faces"},
         {"OFF\n3 1 0\n0 0 0\n1 0 0\n", MESH_MALFORMED, "body:4: the file ends after 2 of 3 vertices"},
         {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED, "body:6: the file ends after 1 of 2 faces"},
-        {"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED, "body:4: expected a finite z, the line ends"},
-        {"OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED, "body:4: expected a finite y, got 'nan 0'"},
-        {"OFF\n3 1 0\n0 0 0\n1e999 0 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED,
-         "body:4: expected a finite x, got '1e999 0 0'"},
-        {"OFF\n3 1 0\n0 0 0\n1,0 0 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED, "body:4: expected a finite x, got '1,0 0 0'"},
-        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", MESH_MALFORMED,
-         "body:6: expected the number of a vertex, the line ends"},
+        {"OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED, "body:4: expected a number z, the line ends"},
+        {"OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED, "body:4: expected finite numbers x y z"},
+        {"OFF\n3 1 0\n0 0 0\n1e999 0 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED, "body:4: expected finite numbers x y z"},
+        {"OFF\n3 1 0\n0 0 0\n1,0 0 0\n0 1 0\n3 0 1 2\n", MESH_MALFORMED, "body:4: expected a number x, got '1,0 0 0'"},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", MESH_MALFORMED, "body:6: 3 corners are announced, 2 follow"},
         {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2.5\n", MESH_MALFORMED,
          "body:6: expected the number of a vertex, got '2.5'"},
-        {"OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", MESH_NOT_TRIANGLES,
-         "body:7: a face of 4 corners, not 3"},
+        {"OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 1\n", MESH_NOT_TRIANGLES, "body:7: a face of 2 corners"},
         {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", MESH_BAD_INDEX, "body:6: there is no vertex 3"},
         {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", MESH_BAD_INDEX, "body:6: there is no vertex -1"},
-        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n\n3 0 1 1\n", MESH_BAD_INDEX, "body:7: a triangle has vertex 1 twice"},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n\n3 0 1 1\n", MESH_BAD_INDEX, "body:7: a face has vertex 1 twice"},
         {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n", MESH_MALFORMED, "body:7: expected the end of the file"},
-        {"OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", MESH_MALFORMED, "body: there are no triangles in it"},
+        {"OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", MESH_MALFORMED, "body: there are no faces in it"},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", MESH_BAD_INDEX, "body:4: OBJ counts vertices from 1"},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", MESH_BAD_INDEX,
          "body:4: there is no vertex 3, counted from 0: there are 3"},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -4\n", MESH_BAD_INDEX, "body:4: there is no vertex -1"},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", MESH_NOT_TRIANGLES, "body:4: a face of 2 corners"},
-        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4 3\n", MESH_NOT_TRIANGLES, "body:5: a face of 4 corners"},
-        {"v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n", MESH_MALFORMED, "body:3: expected a finite y, got 'x 0'"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4\nf 4 2 1\n", MESH_NOT_MANIFOLD,
+         "body:6: face 1 has the same corners as face 0 (from 0): not a surface; drop one of them"},
+        {"v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n", MESH_MALFORMED, "body:3: expected a number y, got 'x 0'"},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 c\n", MESH_MALFORMED, "body:4: expected the number of a vertex, got 'c'"},
-        {"ply\nformat binary_little_endian 1.0\n", MESH_MALFORMED,
-         "body:2: expected format ascii: binary PLY is not read"},
+        {"ply\nformat binary 1.0\n", MESH_MALFORMED,
+         "body:2: expected ascii, binary_little_endian or binary_big_endian, got 'binary 1.0'"},
         {"ply\nend_header\n", MESH_MALFORMED, "body:2: the header has no line 'format ascii 1.0'"},
         {"ply\nformat ascii 1.0\n", MESH_MALFORMED, "body:2: the file ends before end_header"},
         {"ply\nformat ascii 1.0\nproperty float x\n", MESH_MALFORMED, "body:3: expected an element first"},
@@ -292,8 +307,8 @@ THEOREM(what_is_wrong_with_a_mesh_file_is_said_with_file_and_line)
         {"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 "
          "0 0 0\n",
          MESH_MALFORMED, "body:8: expected no more numbers than properties, got '0'"},
-        {"ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_index\nend_header\n4 0 1 2 3\n",
-         MESH_NOT_TRIANGLES, "body:6: a face of 4 corners"},
+        {"ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_index\nend_header\n2 0 0\n",
+         MESH_BAD_INDEX, "body:6: there is no vertex 0"},
         {"ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_index\nend_header\n3 0 1 2\n",
          MESH_BAD_INDEX, "body:6: there is no vertex 0, counted from 0: there are 0"},
         {"ply\nformat ascii 1.0\nelement odd 1\nproperty list uchar int a\nend_header\n2 1\n", MESH_MALFORMED,
@@ -311,9 +326,9 @@ THEOREM(what_is_wrong_with_a_mesh_file_is_said_with_file_and_line)
         mesh_free(&m);
     }
     CASE("a file that is not there");
-    CHECK_EQUAL(mesh_read(&m, "tests/data/no such mesh.off", &error), MESH_UNREADABLE);
+    CHECK_EQUAL(mesh_read(&m, "tests/data/no such mesh.off", NULL, &error), MESH_UNREADABLE);
     CHECK(strcmp(error.text, "tests/data/no such mesh.off: cannot be opened") == 0);
-    CHECK_EQUAL(mesh_read(&m, "tests/data/no such mesh.off", NULL), MESH_UNREADABLE);
+    CHECK_EQUAL(mesh_read(&m, "tests/data/no such mesh.off", NULL, NULL), MESH_UNREADABLE);
 }
 
 THEOREM(a_binary_file_is_called_that)
@@ -324,7 +339,7 @@ THEOREM(a_binary_file_is_called_that)
     mesh_error error;
     if (!file || fwrite(bytes, 1, sizeof bytes, file) != sizeof bytes) exit(1);
     rewind(file);
-    CHECK_EQUAL(mesh_read_stream(&m, file, "body", &error), MESH_MALFORMED);
+    CHECK_EQUAL(mesh_read_stream(&m, file, "body", NULL, &error), MESH_MALFORMED);
     CHECK(strcmp(error.text, "body:3: a zero byte: not a text file") == 0);
     fclose(file);
 }
@@ -347,20 +362,20 @@ THEOREM(what_is_wrong_with_a_field_file_is_said_with_file_and_line)
     FILE *file = file_of("# a field\n1\n\n-2.5 # note\r\n\t3e-300\n4\n5\n6");
     size_t k;
     read_sound(&m, octahedron_off);
-    CHECK_EQUAL(mesh_read_field_stream(&m, file, "field", &field, &error), MESH_OK);
+    CHECK_EQUAL(mesh_read_field_stream(&m, file, "field", &field, NULL, &error), MESH_OK);
     fclose(file);
     CHECK_SAME(field, want, 6);
     free(field);
     for (k = 0; k < sizeof wrong / sizeof *wrong; ++k) {
         CASE("%s", wrong[k].said);
         file = file_of(wrong[k].text);
-        CHECK_EQUAL(mesh_read_field_stream(&m, file, "field", &field, &error), MESH_MALFORMED);
+        CHECK_EQUAL(mesh_read_field_stream(&m, file, "field", &field, NULL, &error), MESH_MALFORMED);
         fclose(file);
         CHECK(strcmp(error.text, wrong[k].said) == 0);
         CHECK(field == NULL);
     }
     CASE("a file that is not there");
-    CHECK_EQUAL(mesh_read_field(&m, "tests/data/no such field.txt", &field, &error), MESH_UNREADABLE);
+    CHECK_EQUAL(mesh_read_field(&m, "tests/data/no such field.txt", &field, NULL, &error), MESH_UNREADABLE);
     mesh_free(&m);
 }
 
@@ -397,44 +412,151 @@ THEOREM(a_mesh_that_is_no_oriented_surface_is_refused_by_name)
 {
     mesh m;
     mesh_error error;
-    CASE("a triangle of the octahedron is turned round");
-    CHECK_EQUAL(
-        read_text(&m,
-                  "OFF\n6 8 12\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n3 0 2 4\n3 2 4 1\n3 1 3 4\n3 3 0 4\n"
-                  "3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n",
-                  &error),
-        MESH_OK);
+    uint32_t swap;
+    CASE("a triangle of the octahedron is turned round by hand");
+    CHECK_EQUAL(read_text(&m, octahedron_off, &error), MESH_OK);
+    swap = m.triangle[4], m.triangle[4] = m.triangle[5], m.triangle[5] = swap;
     CHECK_EQUAL(mesh_connect(&m, &error), MESH_NOT_ORIENTED);
     CHECK(strcmp(error.text,
-                 "body:14: the triangles at the edge between vertices 1 and 2 (from 0) run opposite ways") == 0);
+                 "body:15: the triangles at the edge between vertices 1 and 2 (from 0) run opposite ways") == 0);
     CHECK(m.twin == NULL);
+    swap = m.triangle[4], m.triangle[4] = m.triangle[5], m.triangle[5] = swap;
+    CASE("it shares an edge with two others");
+    m.triangle[3] = 0, m.triangle[4] = 4, m.triangle[5] = 1;
+    CHECK_EQUAL(mesh_connect(&m, &error), MESH_NOT_MANIFOLD);
     mesh_free(&m);
     CASE("a book of three leaves");
     CHECK_EQUAL(read_text(&m, "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n", &error),
-                MESH_OK);
-    CHECK_EQUAL(mesh_connect(&m, &error), MESH_NOT_MANIFOLD);
-    CHECK(strcmp(error.text, "body:10: the edge between vertices 0 and 1 (from 0) has 3 triangles: not a surface") ==
-          0);
-    mesh_free(&m);
+                MESH_NOT_MANIFOLD);
+    CHECK(strcmp(error.text, "body:10: the edge between vertices 0 and 1 (from 0) has 3 faces: not a surface") == 0);
     CASE("a Moebius strip of five triangles");
     CHECK_EQUAL(
         read_text(&m, "OFF\n5 5 0\n0 0 0\n1 0 0\n2 1 0\n1 2 1\n0 1 0\n3 0 1 2\n3 1 3 2\n3 2 3 4\n3 3 0 4\n3 4 0 1\n",
                   &error),
-        MESH_OK);
-    CHECK_EQUAL(mesh_connect(&m, &error), MESH_NOT_ORIENTED);
-    mesh_free(&m);
+        MESH_NOT_ORIENTED);
+    CHECK(strstr(error.text, " run opposite ways, and so do others if one of them is turned") != NULL);
     CASE("a triangle with two sides");
-    CHECK_EQUAL(read_text(&m, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n", &error), MESH_OK);
+    CHECK_EQUAL(read_text(&m, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n", &error), MESH_NOT_MANIFOLD);
+    CHECK(strncmp(error.text, "body:7: face 1 has the same corners as face 0", 45) == 0);
+    CASE("a triangle without area");
+    CHECK_EQUAL(read_text(&m, "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n", &error), MESH_OK);
     CHECK_EQUAL(mesh_connect(&m, &error), MESH_OK);
     CHECK_EQUAL(mesh_normals(&m, &error), MESH_NO_NORMAL);
     CHECK(strcmp(error.text, "body:6: vertex 0 (from 0) has no normal: its triangles have no area, or cancel") == 0);
     CHECK(m.normal == NULL);
     mesh_free(&m);
-    CASE("a triangle without area");
-    CHECK_EQUAL(read_text(&m, "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n", &error), MESH_OK);
-    CHECK_EQUAL(mesh_connect(&m, &error), MESH_OK);
-    CHECK_EQUAL(mesh_normals(&m, &error), MESH_NO_NORMAL);
+}
+
+/* The octahedron with any of its triangles turned round, up to half of them: turned back, or all the others are. */
+THEOREM(faces_that_run_against_their_neighbours_are_turned_round)
+{
+    static const int corner[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    static const char vertices[] = "OFF\n6 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n";
+    mesh m;
+    mesh_error error;
+    int which, k;
+    for (which = 0; which < 256; ++which) {
+        char text[400];
+        size_t used = sizeof vertices - 1, turned = 0;
+        memcpy(text, vertices, sizeof vertices);
+        for (k = 0; k < 8; ++k) {
+            int turn = which >> k & 1;
+            turned += (size_t)turn;
+            used += (size_t)snprintf(text + used, sizeof text - used, "3 %d %d %d\n", corner[k][0], corner[k][1 + turn],
+                                     corner[k][2 - turn]);
+        }
+        CASE("faces %d", which);
+        CHECK_EQUAL(read_text(&m, text, &error), MESH_OK);
+        CHECK_EQUAL(m.turned, turned <= 4 ? (turned == 4 && which & 1 ? 4 : turned) : 8 - turned);
+        CHECK_EQUAL(mesh_connect(&m, &error), MESH_OK);
+        CHECK_NEAR(fabs(mesh_volume(&m)), 4 / 3.0, 1e-14);
+        if (which == 4) CHECK_EQUAL(m.first_turned, 11);
+        mesh_free(&m);
+    }
+}
+
+/* Triangles with corners of their own, as STL has them, a little off each other: 1e-7 is joined, 1e-3 is not. Two
+   octahedra that touch along an edge have copies there, too, but no boundary: they stay two. */
+THEOREM(copies_of_vertices_at_the_boundary_are_joined)
+{
+    mesh m, soup, two;
+    mesh_error error;
+    double off;
+    size_t t, k, c;
+    read_sound(&m, octahedron_off);
+    for (off = 1e-7; off < 1; off *= 1e4) {
+        char text[4000];
+        size_t used = (size_t)snprintf(text, sizeof text, "OFF\n24 8 0\n");
+        for (t = 0; t < 24; ++t, used += strlen(text + used)) {
+            const double *x = m.vertex + 3 * (size_t)m.triangle[t];
+            snprintf(text + used, sizeof text - used, "%.17g %.17g %.17g\n", x[0], x[1], x[2] + off * (double)(t % 2));
+        }
+        for (t = 0; t < 8; ++t, used += strlen(text + used))
+            snprintf(text + used, sizeof text - used, "3 %d %d %d\n", (int)(3 * t), (int)(3 * t + 1), (int)(3 * t + 2));
+        CASE("off by %g", off);
+        CHECK_EQUAL(read_text(&soup, text, &error), MESH_OK);
+        CHECK_EQUAL(mesh_connect(&soup, &error), MESH_OK);
+        CHECK_EQUAL(soup.boundary_edges == 0, off < 1e-4);
+        if (off < 1e-4) CHECK_EQUAL(soup.joined, 18);
+        mesh_free(&soup);
+    }
+    CASE("two octahedra");
+    {
+        char text[1000] = "OFF\n12 16 0\n";
+        size_t used = strlen(text);
+        for (k = 0; k < 2; ++k)
+            for (t = 0; t < 6; ++t, used += strlen(text + used)) /* the second one mirrored at the middle of an edge */
+                snprintf(text + used, sizeof text - used, "%g %g %g\n", k ? 1 - m.vertex[3 * t] : m.vertex[3 * t],
+                         k ? 1 - m.vertex[3 * t + 1] : m.vertex[3 * t + 1], m.vertex[3 * t + 2]);
+        for (k = 0; k < 2; ++k)
+            for (t = 0; t < 8; ++t, used += strlen(text + used)) {
+                uint32_t v[3];
+                for (c = 0; c < 3; ++c) v[c] = m.triangle[3 * t + c] + (uint32_t)(6 * k);
+                snprintf(text + used, sizeof text - used, "3 %u %u %u\n", (unsigned)v[0], (unsigned)v[1],
+                         (unsigned)v[2]);
+            }
+        CHECK_EQUAL(read_text(&two, text, &error), MESH_OK);
+        CHECK_EQUAL(two.joined, 0);
+        CHECK_EQUAL(mesh_connect(&two, &error), MESH_OK);
+        CHECK_NEAR(mesh_volume(&two), 8 / 3.0, 1e-14);
+        mesh_free(&two);
+    }
     mesh_free(&m);
+}
+
+/* Polygons of the plane: whatever their triangles are, they have the area of the polygon, and none runs backwards. */
+THEOREM(polygons_are_split_into_triangles_that_fill_them)
+{
+    static const struct {
+        const char *text;
+        double area;
+        size_t triangles;
+    } polygon[] = {
+        {"OFF\n4 1\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n4 0 1 2 3\n", 2, 2},
+        {"OFF\n4 1\n0 0 0\n4 0 0\n1 1 0\n0 4 0\n4 0 1 2 3\n", 4, 2}, /* a dart: one diagonal lies outside */
+        {"OFF\n4 1\n4 0 0\n1 1 0\n0 4 0\n0 0 0\n4 0 1 2 3\n", 4, 2}, /* the same from another corner */
+        {"OFF\n10 1\n0 0 0\n5 0 0\n5 4 0\n4 4 0\n4 1 0\n3 1 0\n3 4 0\n1 4 0\n1 1 0\n0 1 0\n10 0 1 2 3 4 5 6 7 8 9\n",
+         14, 8},
+        {"OFF\n6 1\n0 0 7\n2 0 7\n2 2 7\n1 2 7\n1 1 7\n0 1 7\n6 5 4 3 2 1 0\n", 3, 4}}; /* an L, seen from below */
+    mesh m;
+    mesh_error error;
+    size_t k, t;
+    double n[3], sign;
+    for (k = 0; k < sizeof polygon / sizeof *polygon; ++k) {
+        CASE("polygon %d", (int)k);
+        CHECK_EQUAL(read_text(&m, polygon[k].text, &error), MESH_OK);
+        CHECK_EQUAL(m.triangles, polygon[k].triangles);
+        CHECK_NEAR(mesh_area(&m), polygon[k].area, 1e-14);
+        sign = k == 4 ? -1 : 1;
+        for (t = 0; t < m.triangles; ++t) {
+            mesh__double_area(&m, t, n);
+            CHECK(sign * n[2] > 0);
+        }
+        CHECK_EQUAL(mesh_connect(&m, &error), MESH_OK);
+        CHECK_EQUAL(m.boundary_edges, polygon[k].triangles + 2);
+        mesh_free(&m);
+    }
 }
 
 THEOREM(sheets_that_touch_in_a_vertex_are_counted)
@@ -468,7 +590,7 @@ THEOREM(a_flipped_mesh_is_inside_out)
     sphere(&m, MESH_ICOSAHEDRON, 2);
     volume = mesh_volume(&m);
     mesh_flip(&m);
-    CHECK(!m.twin && !m.normal);
+    CHECK(!m.twin && m.normal);
     prepare(&m);
     CHECK_NEAR(mesh_volume(&m), -volume, 1e-15);
     for (v = 0; v < m.vertices; ++v)
@@ -1025,8 +1147,8 @@ THEOREM(contours_of_a_random_field_are_those_found_elsewhere)
     size_t found = 0, k, i;
     int l, c, p, clockwise = 0;
     table t;
-    if (mesh_read(&m, "tests/data/sphere_geodesic16.mesh.off", &error) ||
-        mesh_read_field(&m, "tests/data/sphere_grf_seed1.field.txt", &field, &error)) {
+    if (mesh_read(&m, "tests/data/sphere_geodesic16.mesh.off", NULL, &error) ||
+        mesh_read_field(&m, "tests/data/sphere_grf_seed1.field.txt", &field, NULL, &error)) {
         puts(error.text);
         exit(1);
     }
@@ -1091,6 +1213,9 @@ int main(void)
     PROVE(what_is_wrong_with_a_field_file_is_said_with_file_and_line);
     PROVE(refined_spheres_are_closed_oriented_and_obey_euler);
     PROVE(a_mesh_that_is_no_oriented_surface_is_refused_by_name);
+    PROVE(faces_that_run_against_their_neighbours_are_turned_round);
+    PROVE(copies_of_vertices_at_the_boundary_are_joined);
+    PROVE(polygons_are_split_into_triangles_that_fill_them);
     PROVE(sheets_that_touch_in_a_vertex_are_counted);
     PROVE(a_flipped_mesh_is_inside_out);
     PROVE(a_vertex_normal_is_the_mean_weighted_by_area);

@@ -19,16 +19,16 @@ last() {
 
 # --- down, and never up -----------------------------------------------------------------------------------------------
 
-"$tissue" --cells 60 --relax 1 > wild 2> err
+"$tissue" --cells 60 --relax 1 --axes 90,60,50 > wild 2> err
 for rank in 6 2 3; do
-    "$relax" --rank $rank --steps 120 --log log < wild > calm 2> err
+    "$relax" --axes 90,60,50 --rank $rank --steps 120 --log log < wild > calm 2> err
     check "rank $rank: succeeds" "$? $(cat err)" "0 "
     check "rank $rank: many steps" "$(awk 'END { print (NR > 20 ? "yes" : NR) }' log)" yes
     check "rank $rank: the energy falls at every step" \
         "$(awk 'NR > 2 && !($2 < before) { print "up at step", $1 } { before = $2 }' log)" ""
     check "rank $rank: mu rises" "$(awk 'NR == 2 { first = $4 } END { print ($4 > first + 0.1 ? "yes" : $4) }' log)" yes
     check "rank $rank: the table has the energy of the last step" "$(energy calm)" "$(last 2)"
-    "$relax" --rank $rank --steps 0 < calm > again
+    "$relax" --axes 90,60,50 --rank $rank --steps 0 < calm > again
     check "rank $rank: read again, it is the same to the digit" "$(energy again)" "$(energy calm)"
     "$surfmink" calm > measured 2> err
     check "rank $rank: surfmink measures all cells" "$? $(cat err)" "0 "
@@ -39,15 +39,15 @@ for rank in 6 2 3; do
 done
 
 # Where nothing is to be gained the gradient is 0.
-"$tissue" --cells 60 --relax 1 | "$relax" --steps 1000 --log log > calm
+"$tissue" --cells 60 --relax 1 --axes 90,60,50 | "$relax" --axes 90,60,50 --steps 1000 --log log > calm
 check "at rest the gradient is a thousandth of what it was" \
     "$(awk 'NR == 2 { first = $3 } END { print ($3 < first / 1000 ? "yes" : $3) }' log)" yes
 
 # Corners that are shared stay shared: every corner of a closed tissue belongs to three cells.
 check "three cells at each corner" "$(awk 'NR > 2' calm | cut -f 2-4 | sort | uniq -c | awk '{ print $1 }' | sort -u)" 3
 # In another unit the energy is the same.
-"$tissue" --cells 60 --relax 1 --axes 220,100,80 | "$relax" --axes 220,100,80 --steps 10 > big
-"$relax" --steps 10 < wild > small
+"$tissue" --cells 60 --relax 1 --axes 180,120,100 | "$relax" --axes 180,120,100 --steps 10 > big
+"$relax" --axes 90,60,50 --steps 10 < wild > small
 near "twice as large: the same energy" "$(energy big)" "$(energy small)" 1e-6
 
 # --- what is refused --------------------------------------------------------------------------------------------------
@@ -71,8 +71,8 @@ refuses '--perimeter: must be a number from 0 to 100 (see relax --help)' --perim
 refuses '--shape: must be a number from 0 to 100 (see relax --help)' --shape 1e9
 refuses '--steps: must be a number from 0 to 1e+06 (see relax --help)' --steps nan
 refuses '--axes: must be three numbers from 1e-6 to 1e6 with commas between, as 110,50,40 (see relax --help)' --axes 1,2
-refuses 'nowhere/log: No such file or directory (see relax --help)' --log nowhere/log
-refuses 'line 5: the corner is not on the ellipsoid (--axes says which)' --axes 110,50,41
+refuses 'nowhere/log: No such file or directory (see relax --help)' --axes 90,60,50 --log nowhere/log
+refuses 'line 5: the corner is not on the ellipsoid (--axes says which)' --axes 90,60,51
 printf '' > in
 refuses 'standard input: holds no cells (see relax --help)'
 printf 'x\ty\n' > in
@@ -92,9 +92,9 @@ if [ -w /dev/full ]; then
     full='relax: standard output: No space left on device (see relax --help)'
     "$relax" --help > /dev/full 2> err
     check "help on a full disk" "$? $(cat err)" "1 $full"
-    "$relax" --steps 0 < wild > /dev/full 2> err
+    "$relax" --axes 90,60,50 --steps 0 < wild > /dev/full 2> err
     check "a full disk" "$? $(cat err)" "1 $full"
-    "$relax" --steps 0 --log /dev/full < wild > out 2> err
+    "$relax" --axes 90,60,50 --steps 0 --log /dev/full < wild > out 2> err
     check "a log on a full disk" "$? $(cat err)" "1 relax: /dev/full: cannot be written (see relax --help)"
 fi
 

@@ -707,6 +707,42 @@ THEOREM(the_chart_of_the_torus_chooses_how_often_an_edge_goes_round)
     }
 }
 
+/* A geodesic of another homotopy class ends at the same point of space, but not of the chart. An ok from log means the
+   right one, on thin tubes and fat ones. Where K < 0 makes directions grow by 1e13 on the way, log fails by name. */
+THEOREM(in_the_chart_of_the_torus_exp_of_log_is_the_other_corner)
+{
+    static const double tube[6] = {0.05, 0.1, 0.3, 0.6, 0.8, 0.9}, far[2] = {3, 6};
+    double radius[2] = {1, 0.0625}, x[2] = {4, -0.920379638671875}, y[2] = {0, 0}, end[2], length, direction[2];
+    surfmink_surface unrolled = surfmink_torus_chart(radius);
+    chance c = {22};
+    int i, k, trial, status, tried, found;
+    CHECK_OK(unrolled.log(unrolled.context, x, y, &length, direction));
+    CHECK_OK(unrolled.exp(unrolled.context, x, direction, length, end));
+    CHECK_NEAR(hypot(end[0] - y[0], end[1] - y[1]), 0, 1e-6);
+    for (i = 0; i < 6; ++i)
+        for (k = 0; k < 2; ++k) {
+            radius[1] = tube[i];
+            tried = found = 0;
+            for (trial = 0; trial < 40; trial += STRIDE) {
+                x[0] = between(&c, -3, 3);
+                x[1] = between(&c, -3, 3);
+                y[0] = x[0] + between(&c, -far[k], far[k]);
+                y[1] = x[1] + between(&c, -far[k], far[k]);
+                CASE("r / R = %g, %.17g %.17g to %.17g %.17g", tube[i], x[0], x[1], y[0], y[1]);
+                status = unrolled.log(unrolled.context, x, y, &length, direction);
+                ++tried;
+                if (status != SURFMINK_OK) {
+                    CHECK(status == SURFMINK_ANTIPODAL_CORNERS || status == SURFMINK_CALLBACK_FAILED);
+                    continue;
+                }
+                ++found;
+                CHECK_OK(unrolled.exp(unrolled.context, x, direction, length, end));
+                CHECK_NEAR(hypot(end[0] - y[0], end[1] - y[1]), 0, i == 0 ? 1e-3 : 1e-6);
+            }
+            CHECK(found >= (k == 0 ? 0.9 : 0.6) * tried - 1);
+        }
+}
+
 THEOREM(log_finds_the_shortest_geodesic_and_log_near_the_guessed)
 {
     /* Two points on the rim of a lens, near the ends of its long axis: over the top, and by symmetry below, it is
@@ -1112,6 +1148,7 @@ int main(void)
     PROVE(gauss_bonnet_for_triangles_of_ellipsoid_and_torus);
     PROVE(regular_polygons_of_a_round_ellipsoid);
     PROVE(the_chart_of_the_torus_chooses_how_often_an_edge_goes_round);
+    PROVE(in_the_chart_of_the_torus_exp_of_log_is_the_other_corner);
     PROVE(log_finds_the_shortest_geodesic_and_log_near_the_guessed);
     PROVE(the_other_side_of_a_thin_body_is_far);
     PROVE(geodesics_that_are_not_unique_fail_by_name);

@@ -66,12 +66,11 @@ static double chart_mu(const chart *c, const options *o, size_t i, int which)
 /* From 0 to 1, with a tick every 0.2 or so. The rank is written below, in the middle. */
 static void draw_mu_axis(FILE *file, double left, double bottom, double width, int rank)
 {
-    int i;
-    fputs("<path fill=\"none\" stroke=\"#222\" d=\"", file);
-    put_line(file, left, bottom, 'h', width);
-    for (i = 0; i <= 5; ++i) put_line(file, left + width * i / 5, bottom, 'v', 6);
-    fputs("\"/>\n", file);
-    for (i = 0; i <= 5; ++i) put_tick(file, left + width * i / 5, bottom + 25, AT_MIDDLE, 0.2 * i);
+    axis a = {0, 0, 0, 'h', 6, {0, 25}, AT_MIDDLE, 5, 1, 0.2};
+    a.x = left;
+    a.y = bottom;
+    a.length = width;
+    put_axis(file, &a, 1);
     begin_text(file, left + width / 2, bottom + 54, AT_MIDDLE, "font-size=\"24\"");
     put_mu(file, rank);
     fputs("</text>\n", file);
@@ -80,12 +79,13 @@ static void draw_mu_axis(FILE *file, double left, double bottom, double width, i
 /* From 0 to `most`. */
 static void draw_count_axis(FILE *file, double left, double bottom, double height, double most, double step)
 {
-    int i, ticks = (int)(most / step + 0.5);
-    fputs("<path fill=\"none\" stroke=\"#222\" d=\"", file);
-    put_line(file, left, bottom, 'v', -height);
-    for (i = 0; i <= ticks; ++i) put_line(file, left, bottom - height * i / ticks, 'h', -6);
-    fputs("\"/>\n", file);
-    for (i = 0; i <= ticks; ++i) put_tick(file, left - 10, bottom - height * i / ticks + 7, AT_END, i * step);
+    axis a = {0, 0, 0, 'v', -6, {-10, 7}, AT_END, 0, 1, 0};
+    a.x = left;
+    a.y = bottom;
+    a.length = -height;
+    a.ticks = (int)(most / step + 0.5);
+    a.step = step;
+    put_axis(file, &a, 1);
 }
 
 /* Reads upwards. */
@@ -134,15 +134,8 @@ static void draw_bars(FILE *file, double left, double bottom, const size_t count
     for (i = 0; i < BINS; ++i) {
         if (count[i] == 0) continue;
         height = CHART_HEIGHT * (double)count[i] / most;
-        fputs("<rect x=\"", file);
-        put_pixels(file, left + i * width);
-        fputs("\" y=\"", file);
-        put_pixels(file, bottom - height);
-        fputs("\" width=\"", file);
-        put_pixels(file, width);
-        fputs("\" height=\"", file);
-        put_pixels(file, height);
-        fputs("\"><title>", file);
+        begin_rect(file, left + i * width, bottom - height, width, height);
+        fputs("><title>", file);
         put_decimals(file, (double)i / BINS, 2);
         fputs(" to ", file);
         put_decimals(file, (double)(i + 1) / BINS, 2);
@@ -241,24 +234,24 @@ static void write_histograms(const chart *c, const options *o)
 /* --- one rank over another ---------------------------------------------------------------------------------------- */
 
 /* Which of the ranks of the chart lie on the axes. */
-static void scatter_axes(const options *o, int axis[2])
+static void scatter_axes(const options *o, int which[2])
 {
-    axis[0] = o->colors > 0 || o->max_rank < 3 ? 0 : 1;
-    axis[1] = o->colors > 0 ? 1 : chart_ranks(o) - 1;
+    which[0] = o->colors > 0 || o->max_rank < 3 ? 0 : 1;
+    which[1] = o->colors > 0 ? 1 : chart_ranks(o) - 1;
 }
 
 /* Pearson's coefficient; 0 if there is no spread. */
-static double correlation(const chart *c, const options *o, const int axis[2])
+static double correlation(const chart *c, const options *o, const int which[2])
 {
     double mean[2] = {0, 0}, xx = 0, xy = 0, yy = 0, x, y;
     size_t i;
     for (i = 0; i < c->measured; ++i) {
-        mean[0] += chart_mu(c, o, i, axis[0]) / (double)c->measured;
-        mean[1] += chart_mu(c, o, i, axis[1]) / (double)c->measured;
+        mean[0] += chart_mu(c, o, i, which[0]) / (double)c->measured;
+        mean[1] += chart_mu(c, o, i, which[1]) / (double)c->measured;
     }
     for (i = 0; i < c->measured; ++i) {
-        x = chart_mu(c, o, i, axis[0]) - mean[0];
-        y = chart_mu(c, o, i, axis[1]) - mean[1];
+        x = chart_mu(c, o, i, which[0]) - mean[0];
+        y = chart_mu(c, o, i, which[1]) - mean[1];
         xx += x * x;
         xy += x * y;
         yy += y * y;
@@ -266,21 +259,16 @@ static double correlation(const chart *c, const options *o, const int axis[2])
     return xx > 1e-24 && yy > 1e-24 ? xy / sqrt(xx * yy) : 0;
 }
 
-static void draw_points(FILE *file, const chart *c, const options *o, const int axis[2], double left, double bottom)
+static void draw_points(FILE *file, const chart *c, const options *o, const int which[2], double left, double bottom)
 {
     size_t i;
     double radius = c->measured > 2000 ? 2.5 : 4.5;
     fprintf(file, "<g fill=\"#1f4e79\" fill-opacity=\"%s\" stroke=\"#fff\" stroke-width=\".6\">\n",
             c->measured > 2000 ? ".4" : ".75");
     for (i = 0; i < c->measured; ++i) {
-        double x = chart_mu(c, o, i, axis[0]), y = chart_mu(c, o, i, axis[1]);
-        fputs("<circle cx=\"", file);
-        put_pixels(file, left + SCATTER_SIZE * x);
-        fputs("\" cy=\"", file);
-        put_pixels(file, bottom - SCATTER_SIZE * y);
-        fputs("\" r=\"", file);
-        put_pixels(file, radius);
-        fputs("\"><title>", file);
+        double x = chart_mu(c, o, i, which[0]), y = chart_mu(c, o, i, which[1]);
+        begin_circle(file, left + SCATTER_SIZE * x, bottom - SCATTER_SIZE * y, radius);
+        fputs("><title>", file);
         put_text(file, c->text + c->id[i], IN_XML);
         fputs(": ", file);
         put_decimals(file, x, 4);
@@ -291,7 +279,7 @@ static void draw_points(FILE *file, const chart *c, const options *o, const int 
     fputs("</g>\n", file);
 }
 
-static void draw_scatter_axes(FILE *file, const options *o, const int axis[2], double left, double bottom)
+static void draw_scatter_axes(FILE *file, const options *o, const int which[2], double left, double bottom)
 {
     int i;
     fputs("<path fill=\"none\" stroke=\"#d9dee4\" d=\"", file);
@@ -300,10 +288,10 @@ static void draw_scatter_axes(FILE *file, const options *o, const int axis[2], d
         put_line(file, left + SCATTER_SIZE * i / 5.0, bottom, 'v', -SCATTER_SIZE);
     }
     fputs("\"/>\n<g fill=\"#222\">\n", file);
-    draw_mu_axis(file, left, bottom, SCATTER_SIZE, chart_rank(o, axis[0]));
+    draw_mu_axis(file, left, bottom, SCATTER_SIZE, chart_rank(o, which[0]));
     draw_count_axis(file, left, bottom, SCATTER_SIZE, 1, 0.2);
     begin_text(file, left - 74, bottom - SCATTER_SIZE / 2.0 + 8, AT_START, "font-size=\"24\"");
-    put_mu(file, chart_rank(o, axis[1]));
+    put_mu(file, chart_rank(o, which[1]));
     fputs("</text>\n</g>\n", file);
 }
 
@@ -321,19 +309,19 @@ static void draw_correlation(FILE *file, const chart *c, double r, double right,
 static void write_scatter(const chart *c, const options *o)
 {
     FILE *file = open_page(o->scatter);
-    int axis[2], width = 2 * MARGIN + 90 + SCATTER_SIZE + 16;
+    int which[2], width = 2 * MARGIN + 90 + SCATTER_SIZE + 16;
     int height = 2 * MARGIN + title_space(o) + 30 + SCATTER_SIZE + CHART_FOOT - 10;
     double left = MARGIN + 90, bottom = MARGIN + title_space(o) + 30 + SCATTER_SIZE, r;
-    scatter_axes(o, axis);
-    r = correlation(c, o, axis);
+    scatter_axes(o, which);
+    r = correlation(c, o, which);
     begin_page(file, width, height, o, "Two ranks of the p-fold symmetry of outlines");
     fprintf(file,
             "mu_%d (up) over mu_%d (right), both 0 to 1, of %lu outlines; %lu outlines were refused. n: outlines, r: "
             "correlation coefficient (Pearson). Drawn by surfmink " SURFMINK_VERSION ".",
-            chart_rank(o, axis[1]), chart_rank(o, axis[0]), (unsigned long)c->measured, (unsigned long)c->refused);
+            chart_rank(o, which[1]), chart_rank(o, which[0]), (unsigned long)c->measured, (unsigned long)c->refused);
     end_description(file, width, o);
-    draw_scatter_axes(file, o, axis, left, bottom);
-    draw_points(file, c, o, axis, left, bottom);
+    draw_scatter_axes(file, o, which, left, bottom);
+    draw_points(file, c, o, which, left, bottom);
     draw_correlation(file, c, r, left + SCATTER_SIZE, bottom - SCATTER_SIZE - 12);
     fputs("</svg>\n", file);
     close_page(file, o->scatter);

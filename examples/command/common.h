@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "harmless.h"
+
 #if defined(__GNUC__)
 #define COMMAND_PRINTF(text, first) __attribute__((format(printf, text, first)))
 #define COMMAND_DIES                __attribute__((noreturn))
@@ -52,26 +54,46 @@ static void wipe_progress(void)
 /* Takes the last line of a run that must not just end; it does not return. NULL: die ends the run itself. */
 static void (*last_words)(const char *line);
 
-/* One line to standard error, and the end. What has been read so far goes out first, so that the two keep their
-   order. */
+/* One line to standard error, which cannot command a terminal, whatever it quotes. */
+static void say(const char *line)
+{
+    fflush(stdout);
+    wipe_progress();
+    put_harmless(stderr, line);
+    fputc('\n', stderr);
+}
+
+/* The file that is being read, for remarks. */
+static const char *current_file = "-";
+
+/* --quiet: no remarks. */
+static int says_nothing;
+
+/* A line about something that is no reason to end the run. */
+static void remark(const char *format, ...) COMMAND_PRINTF(1, 2);
+static void remark(const char *format, ...)
+{
+    va_list arguments;
+    char line[4096];
+    if (says_nothing) return;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    say(line);
+}
+
+/* One line, and the end. What has been read so far goes out first, so that the two keep their order. */
 static void die(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
 static void die(const char *format, ...)
 {
     va_list arguments;
-    char line[4096];
+    char line[8192];
     write_held_back();
-    if (last_words) {
-        va_start(arguments, format);
-        vsnprintf(line, sizeof line, format, arguments);
-        va_end(arguments);
-        last_words(line);
-    }
-    fflush(stdout);
-    wipe_progress();
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
-    fputc('\n', stderr);
+    if (last_words) last_words(line);
+    say(line);
     exit(EXIT_TROUBLE);
 }
 
@@ -141,33 +163,23 @@ static int parse_count(const char *text, size_t *value)
 
 enum notation { IN_TABLE, IN_JSON, IN_XML };
 
-/* Bytes of the well-formed UTF-8 character at s, 0 if there is none. JSON and XML must not contain anything else. */
-static int utf8_length(const unsigned char *s)
-{
-    int i, length = s[0] < 0x80 ? 1 : s[0] < 0xc2 ? 0 : s[0] < 0xe0 ? 2 : s[0] < 0xf0 ? 3 : s[0] < 0xf5 ? 4 : 0;
-    for (i = 1; i < length; ++i)
-        if ((s[i] & 0xc0) != 0x80) return 0;
-    if (s[0] == 0xe0 && s[1] < 0xa0) return 0;                 /* overlong */
-    if (s[0] == 0xf0 && s[1] < 0x90) return 0;                 /* overlong */
-    if (s[0] == 0xf4 && s[1] > 0x8f) return 0;                 /* beyond the last character */
-    if (s[0] == 0xed && s[1] > 0x9f) return 0;                 /* a surrogate */
-    if (s[0] == 0xef && s[1] == 0xbf && s[2] > 0xbd) return 0; /* a non-character, which XML forbids */
-    return length;
-}
-
 static void put_ascii(FILE *out, int c, enum notation notation)
 {
-    if (c < 0x20 || c == 0x7f) { /* a control character would break the line or the document */
-        if (notation == IN_JSON)
-            fprintf(out, "\\u%04x", (unsigned)c);
-        else
-            fputc(' ', out);
-    } else if (notation == IN_JSON && (c == '"' || c == '\\'))
+    if (notation == IN_JSON && (c == '"' || c == '\\'))
         fprintf(out, "\\%c", c);
     else if (notation == IN_XML && strchr("&<>\"", c))
         fprintf(out, "&#%d;", c);
     else
         fputc(c, out);
+}
+
+/* A control character would break the line or the document. */
+static void put_control(FILE *out, const unsigned char *s, enum notation notation)
+{
+    if (notation == IN_JSON && (s[0] < 0x80 || s[0] == 0xc2))
+        fprintf(out, "\\u%04x", (unsigned)(s[0] == 0xc2 ? s[1] : s[0]));
+    else
+        fputs(notation == IN_TABLE || s[0] < 0x80 || s[0] == 0xc2 ? " " : "\xef\xbf\xbd", out);
 }
 
 /* Text of unknown origin. Where the notation cannot hold a byte, the replacement character U+FFFD stands for it. */
@@ -177,7 +189,9 @@ static void put_text(FILE *out, const char *text, enum notation notation)
     int length;
     while (*s) {
         length = utf8_length(s);
-        if (length == 1)
+        if (control_length(s))
+            put_control(out, s, notation);
+        else if (length == 1)
             put_ascii(out, *s, notation);
         else if (length > 1)
             fwrite(s, 1, (size_t)length, out);

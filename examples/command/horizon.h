@@ -2,7 +2,7 @@
 #ifndef SURFMINK_COMMAND_HORIZON_H
 #define SURFMINK_COMMAND_HORIZON_H
 
-#include "camera.h"
+#include "../picture/camera.h"
 
 /* Points of great circles and of the horizon are at most this far apart. */
 static const double degrees_per_point = 2;
@@ -45,7 +45,7 @@ static void free_horizon(horizon *h)
 static void add_edge(horizon *h, const camera *c, const double *from, const double *to)
 {
     double radius = 1, between[3 * 91], view[3];
-    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_surface sphere = surfmink_sphere_surface(&radius);
     double chord[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
     double degrees = 2 * asin(fmin(1, sqrt(dot(chord, chord)) / 2)) * 57.29577951308232;
     size_t i, m = (size_t)ceil(degrees / degrees_per_point);

@@ -25,10 +25,11 @@ typedef struct lines {
     char *text;                  /* this line; split_line cuts it up */
     char **field;
     size_t fields, field_room;
-    char *block;          /* of the file: the line at hand, and what follows it */
-    size_t next, end;     /* of what follows it */
-    size_t room;          /* one more than end may be */
-    search feed, cr, nul; /* \n, \r, \0 */
+    int quoted, first_quoted; /* the field that has just been taken, the first one of the line */
+    char *block;              /* of the file: the line at hand, and what follows it */
+    size_t next, end;         /* of what follows it */
+    size_t room;              /* one more than end may be */
+    search feed, cr, nul;     /* \n, \r, \0 */
 } lines;
 
 enum { BLOCK_SIZE = 65536, LONGEST_LINE = 1 << 26 };
@@ -37,13 +38,11 @@ enum { BLOCK_SIZE = 65536, LONGEST_LINE = 1 << 26 };
 static void malformed(const lines *in, const char *format, ...) COMMAND_PRINTF(2, 3) COMMAND_DIES;
 static void malformed(const lines *in, const char *format, ...)
 {
-    char reason[512], *c;
+    char reason[1024];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(reason, sizeof reason, format, arguments);
     va_end(arguments);
-    for (c = reason; *c; ++c)
-        if ((unsigned char)*c < ' ' || *c == 0x7f) *c = '?'; /* what is quoted shall not command a terminal */
     die("%s:%lu: %s", in->name, in->number, reason);
 }
 
@@ -109,6 +108,17 @@ static void read_on(lines *in)
     count = read_some(in, in->block + in->end, in->room - 1 - in->end);
     in->end += count;
     in->ended = count == 0;
+}
+
+/* The next bytes of the file, for who does not want lines: 0 at its end. */
+static size_t take_bytes(lines *in, char *to, size_t most)
+{
+    size_t count = in->end - in->next;
+    if (count > most) count = most;
+    if (count > 0) memcpy(to, in->block + in->next, count);
+    in->next += count;
+    if (count > 0 || in->ended) return count;
+    return read_some(in, to, most);
 }
 
 /* --- lines -------------------------------------------------------------------------------------------------------- */
@@ -193,10 +203,11 @@ static void trim_end(char *text)
     cut(text, text + strlen(text));
 }
 
-/* Takes the quotes off a quoted field, where "" stands for one quote; returns what follows the closing one. */
+/* Takes the quotes off a quoted field, where "" stands for one quote; returns what follows the closing one. The field
+   then begins behind the opening one. */
 static char *unquote(lines *in, char *field)
 {
-    char *from, *to = field;
+    char *from, *to = field + 1;
     for (from = field + 1; *from != '"' || from[1] == '"'; ++from) {
         if (*from == '\0') malformed(in, "a quote is not closed");
         if (*from == '"') ++from;
@@ -219,21 +230,35 @@ static char *find_separator(char *text, char separator)
     return found ? found : text + strlen(text);
 }
 
+/* Does a quoted field begin here? Between tabs and blanks, where not everybody quotes, its end has to be in sight. */
+static int is_quoted(const char *field, char separator)
+{
+    const char *end;
+    if (*field != '"') return 0;
+    if (separator == ',' || separator == ';') return 1;
+    for (end = field + 1; *end != '"' || end[1] == '"'; ++end) {
+        if (*end == '\0') return 0;
+        if (*end == '"') ++end;
+    }
+    return end[1] == '\0' || end[1] == separator || is_blank(end[1]);
+}
+
 /* The field that begins at *rest, without the blanks around it; *rest moves behind it, to NULL after the last one. */
 static char *take_field(lines *in, char **rest, char separator)
 {
     char *field = *rest, *end;
     int quoted;
     while (*field == ' ' || (separator != '\t' && is_blank(*field))) ++field;
-    quoted = separator == ',' && *field == '"';
+    quoted = is_quoted(field, separator);
     end = find_separator(quoted ? unquote(in, field) : field, separator);
     *rest = *end ? end + 1 : NULL;
     *end = '\0';
+    in->quoted = quoted;
     if (!quoted) cut(field, end);
-    return field;
+    return quoted ? field + 1 : field;
 }
 
-/* Cuts the line into fields: at each tab, at each comma (where fields may be quoted) or at runs of blanks. */
+/* Cuts the line into fields, each of which may be quoted: at tabs, semicolons, commas or runs of blanks. */
 static void split_line(lines *in, char separator)
 {
     char *rest = in->text;
@@ -241,6 +266,7 @@ static void split_line(lines *in, char separator)
     for (in->fields = 0; rest; ++in->fields) {
         in->field = (char **)grow(in->field, &in->field_room, in->fields + 1, sizeof *in->field);
         in->field[in->fields] = take_field(in, &rest, separator);
+        if (in->fields == 0) in->first_quoted = in->quoted;
     }
 }
 

@@ -310,13 +310,8 @@ static void draw_sphere(const drawing *d)
 {
     const double origin[3] = {0, 0, 0};
     int degrees, step = grid_step(d);
-    fputs("<circle cx=\"", d->file);
-    put_pixels(d->file, pixel_x(d, origin[0]));
-    fputs("\" cy=\"", d->file);
-    put_pixels(d->file, pixel_y(d, origin[1]));
-    fputs("\" r=\"", d->file);
-    put_pixels(d->file, d->scale);
-    fputs("\" fill=\"#f3f5f8\" stroke=\"#aeb7c1\"/>\n<path fill=\"none\" stroke=\"#d3dae1\" stroke-width=\".7\" d=\"",
+    begin_circle(d->file, pixel_x(d, origin[0]), pixel_y(d, origin[1]), d->scale);
+    fputs(" fill=\"#f3f5f8\" stroke=\"#aeb7c1\"/>\n<path fill=\"none\" stroke=\"#d3dae1\" stroke-width=\".7\" d=\"",
           d->file);
     for (degrees = -180; degrees < 180; degrees += step) put_graticule_line(d, 1, degrees);
     for (degrees = step - 90; degrees < 90; degrees += step) put_graticule_line(d, 0, degrees);
@@ -365,7 +360,7 @@ static void put_tooltip(const drawing *d, const picture *g, const shape *s)
         fprintf(d->file, ": mu_%d = ", d->at->rank);
         put_decimals(d->file, mu_here(d, g, s), 4);
     } else
-        fprintf(d->file, ": %s", surfmink_status_name(s->status));
+        fprintf(d->file, ": %s", surfmink_curve_status_name(s->status));
     fputs("</title>", d->file);
 }
 
@@ -502,9 +497,13 @@ static void draw_shapes(drawing *d, const picture *g)
 static void draw_bar(const drawing *d)
 {
     const panel *p = &d->panel[0];
-    double x = MARGIN + panels_width(d) + BAR_GAP, height = bar_height(d), at;
+    double x = MARGIN + panels_width(d) + BAR_GAP, height = bar_height(d);
     double y = MARGIN + title_space(d->options) + d->shift + (panels_height(d) + 36 - height) / 2;
-    int i, ticks = (int)(p->bar_top / p->bar_tick + 0.5);
+    axis a = {BAR_WIDTH, 0, 0, 'v', 6, {11, 7}, AT_START, 0, 1, 0};
+    a.y = height;
+    a.length = -height;
+    a.ticks = (int)(p->bar_top / p->bar_tick + 0.5);
+    a.step = p->bar_tick;
     fputs("<g fill=\"#222\" transform=\"translate(", d->file);
     put_pixels(d->file, x);
     fputc(' ', d->file);
@@ -515,13 +514,7 @@ static void draw_bar(const drawing *d)
     fprintf(d->file, "</text>\n<rect width=\"%d\" height=\"", BAR_WIDTH);
     put_pixels(d->file, height);
     fputs("\" fill=\"url(#bar)\" stroke=\"#222\" stroke-width=\".7\"/>\n", d->file);
-    for (i = 0; i <= ticks; ++i) {
-        at = height * (1 - (double)i / ticks);
-        fputs("<path stroke=\"#222\" d=\"", d->file);
-        put_line(d->file, BAR_WIDTH, at, 'h', 6);
-        fputs("\"/>", d->file);
-        put_tick(d->file, BAR_WIDTH + 11, at + 7, AT_START, i * p->bar_tick);
-    }
+    put_axis(d->file, &a, 0);
     fputs("</g>\n", d->file);
 }
 
@@ -529,10 +522,14 @@ static void draw_bar(const drawing *d)
 static void draw_bar_below(const drawing *d)
 {
     const panel *p = d->at;
-    double width = 0.6 * d->width, x = p->left + p->width / 2 - width / 2, at;
+    double width = 0.6 * d->width, x = p->left + p->width / 2 - width / 2;
     double y = p->top + p->height + (d->height - p->height) / 2 + 12;
-    int i, ticks = (int)(p->bar_top / p->bar_tick + 0.5), every = ticks > 6 || width < 200 ? 2 : 1;
-    if (ticks % every) every = ticks; /* only both ends */
+    axis a = {0, 14, 0, 'h', 5, {0, 24}, AT_MIDDLE, 0, 1, 0};
+    a.length = width;
+    a.ticks = (int)(p->bar_top / p->bar_tick + 0.5);
+    a.every = a.ticks > 6 || width < 200 ? 2 : 1;
+    a.step = p->bar_tick;
+    if (a.ticks % a.every) a.every = a.ticks; /* only both ends */
     fputs("<g fill=\"#222\" transform=\"translate(", d->file);
     put_pixels(d->file, x);
     fputc(' ', d->file);
@@ -540,13 +537,7 @@ static void draw_bar_below(const drawing *d)
     fputs(")\">\n<rect width=\"", d->file);
     put_pixels(d->file, width);
     fputs("\" height=\"14\" fill=\"url(#bar_below)\" stroke=\"#222\" stroke-width=\".7\"/>\n", d->file);
-    for (i = 0; i <= ticks; i += every) {
-        at = width * i / ticks;
-        fputs("<path stroke=\"#222\" d=\"", d->file);
-        put_line(d->file, at, 14, 'v', 5);
-        fputs("\"/>", d->file);
-        put_tick(d->file, at, 38, AT_MIDDLE, i * p->bar_tick);
-    }
+    put_axis(d->file, &a, 0);
     fputs("</g>\n", d->file);
 }
 

@@ -2,13 +2,18 @@
 #ifndef SURFMINK_COMMAND_OPTIONS_H
 #define SURFMINK_COMMAND_OPTIONS_H
 
-#include "camera.h"
+#include "../picture/camera.h"
 #include "common.h"
 #include "number.h"
+
+#if HAS_POSIX
+#include <sys/stat.h>
+#endif
 
 /* In the order of the words behind --surface and --reverse. */
 enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
 enum reverse { REVERSE_AUTO, REVERSE_ALWAYS, REVERSE_NEVER };
+enum crossings { CROSSINGS_AUTO, CROSSINGS_ALWAYS, CROSSINGS_NEVER };
 enum directions { NO_DIRECTIONS, AT_FIRST_EDGE, AT_CENTER };
 
 /* Panels of a picture. */
@@ -23,15 +28,25 @@ typedef struct viewpoint {
 } viewpoint;
 
 typedef struct options {
-    int surface;   /* of enum surface */
-    double radius; /* 0: not given, 1 then */
-    int max_rank;  /* P >= 1 */
-    int transport; /* of enum surfmink_transport */
-    int order;     /* 2, or 4: the smooth curve through the corners */
-    int error;     /* estimates how far off it */
-    double sharp;  /* degrees: corners that turn by more are corners of the curve; 0: not given */
-    size_t smooth; /* passes */
-    int reverse;   /* of enum reverse */
+    int surface;         /* of enum surface */
+    const char *id;      /* NAME[,NAME...]; NULL: not given */
+    const char *columns; /* the same */
+    int y_down;
+    int estimate_normals;
+    int parts;
+    int repair;
+    double merge_distance; /* of corners that --merge drops, a length; or if merge_relative, of the perimeter */
+    int merge_relative;
+    double resample; /* 0: not given */
+    int crossings;   /* of enum crossings */
+    double radius;   /* 0: not given, 1 then */
+    int max_rank;    /* P >= 1 */
+    int transport;   /* of enum surfmink_transport */
+    int order;       /* 2, or 4: the smooth curve through the corners */
+    int error;       /* estimates how far off it */
+    double sharp;    /* degrees: corners that turn by more are corners of the curve; 0: not given */
+    size_t smooth;   /* passes */
+    int reverse;     /* of enum reverse */
     int merge;
     int digits;
     int directions; /* of enum directions */
@@ -52,10 +67,12 @@ static void usage_error(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DI
 static void usage_error(const char *format, ...)
 {
     va_list arguments;
-    fputs("surfmink: ", stderr);
+    char text[2048];
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    fputs("surfmink: ", stderr);
+    put_harmless(stderr, text);
     fputs(" (surfmink --help explains)\n", stderr);
     exit(EXIT_TROUBLE);
 }
@@ -78,30 +95,51 @@ static const char *const help_text[] = {
     "  No FILE, or -, is standard input. Results go to standard output, all else to standard error.\n"
     "\n"
     "INPUT\n"
-    "  A table, one corner a line; tabs, commas or blanks between the fields. Blank lines and lines that begin with #\n"
-    "  are skipped. The first other line names the columns, in any order and in capitals or not:\n"
-    "    x y                a polygon of the plane\n"
-    "    lon lat            degrees; great-circle arcs on a sphere\n"
+    "  A table, one corner a line; tabs, semicolons, commas or blanks between the fields, which may be quoted. Blank\n"
+    "  lines and lines that begin with # are skipped. The first other line names the columns, in any order, in\n"
+    "  capitals or not, with units in brackets or not:\n"
+    "    x y                a polygon of the plane (also: col, axis-1, position x)\n"
+    "    row col            the same, y is minus the row (also: axis-0)\n"
+    "    lon lat            degrees; great-circle arcs on a sphere (also: longitude, lng, long, ra; latitude, dec)\n"
     "    x y z nx ny nz     corners and outer normals on any surface in space; straight chords\n"
-    "    x y z              needs --surface sphere: great-circle arcs; only the directions of the corners count\n"
-    "    k                  order of the corners; not used, they count in the order of their lines (K would be an id)\n"
-    "  The first column with another name is the id. Lines that follow each other with the same id are one polygon.\n"
-    "  Without an id column a blank line ends a polygon; ids then count from 0 in each file. Corners run\n"
-    "  counter-clockwise, seen from outside; the first may be repeated at the end.\n"
-    "  A FILE that ends in .off is a polygon mesh: each face is an outline, its id the number of the face, and the\n"
-    "  normals are area-weighted means over the faces at each vertex, unless --surface says otherwise.\n"
+    "    x y z              needs --surface sphere (great-circle arcs; only the directions of the corners count)\n"
+    "                       or --normals estimate\n"
+    "    k                  order of the corners of an outline, whole numbers (also: vertex-index; K is an id)\n"
+    "  Columns whose names say so (cell, id, label, track, frame, name, ...) make the id, all of them; if there are\n"
+    "  none, the first that is not measured. Lines that follow each other with the same id are one polygon. Without "
+    "an\n"
+    "  id a blank line, a line that begins with > or a row of NaNs ends a polygon; ids then count from 0 in each "
+    "file.\n"
+    "  Corners run counter-clockwise, seen from outside; the first may be repeated at the end.\n"
+    "  Decimal commas are read between tabs and semicolons. Lines of x,y,x,y,... without names are an outline each.\n"
+    "\n"
+    "  A polygon mesh (OFF, OBJ, PLY, STL, legacy VTK): each face is an outline, its id the number of the face. "
+    "Normals\n"
+    "  are those of the file, or area-weighted means over the faces at each vertex. Copies of vertices are joined,\n"
+    "  faces that run against their neighbours turned round; standard error says so.\n"
+    "  GeoJSON: each ring is an outline, with the id of its feature; parts have /0, /1, ... behind it, holes /hole1.\n"
+    "  What a file is is told by what is in it, not by its name.\n"
     "\n",
     "OUTPUT\n"
-    "  One line a polygon, tab separated: id n status L S area mu_1 ... mu_P theta_1 ... theta_P\n"
+    "  One line a polygon, tab separated: id n status L S area mu_1 ... mu_P theta_1 ... theta_P; of several files\n"
+    "  a column file stands before them\n"
     "    n          number of corners, as measured\n"
     "    status     ok, or what is wrong with the polygon; it then has no numbers\n"
-    "    L, area    length of the outline; area on its left (plane, sphere)\n"
+    "    L, area    length of the outline; area on its left (embedded: an estimate from corners and normals)\n"
     "    S          sum of the turning angles = 2 pi - enclosed curvature\n"
     "    mu_p       p-fold symmetry, 0 to 1\n"
     "    theta_p    direction of it: radians in (-pi/p, pi/p], at the middle of the first edge, from the outer\n"
     "               co-normal towards the edge; empty where mu_p < 1e-12\n"
     "\n"
     "OPTIONS (--option value or --option=value; -- ends them)\n"
+    "  --id NAME[,NAME...]    columns that make the id, or the property of GeoJSON features that does\n"
+    "  --columns NAME[,NAME...]          names of the columns of a file without a line of names\n"
+    "  --y-down               y points down, as in images: mirrors, so that directions are those of the picture\n"
+    "  --normals given|estimate          estimate: normals of cells in space, from the corners that cells share "
+    "(misses\n"
+    "                         mu_p by .002 in the median, .065 at most) or else each cell's best plane (.002, .113)\n"
+    "  --parts                a first corner that comes again inside ends a ring: each ring is an outline of its own,\n"
+    "                         id/0, id/1, ...; those that run the other way than the first are holes, id/1/hole\n"
     "  --surface plane|sphere|embedded   instead of what the columns say; plane drops z\n"
     "  --radius R             of the sphere, default 1\n"
     "  --max-rank P           largest p, default 6\n"
@@ -117,6 +155,11 @@ static const char *const help_text[] = {
     "  --reverse auto|always|never       turn clockwise, all or (default) no outlines round. On the\n"
     "                                    sphere auto so takes the smaller side, whichever was meant\n"
     "  --merge                drop corners that coincide with the one before, instead of refusing the polygon\n"
+    "  --merge DIST           drop those within a distance, too; 1e-9L: a fraction of the perimeter\n"
+    "  --repair               takes exact spikes and seams out, where the outline comes back the way it went\n"
+    "  --resample STEP        first puts corners at equal distances of about STEP along the outline\n"
+    "  --crossings auto|always|never     looks for edges that cross: of up to 2,000 corners (default), of all, of "
+    "none\n"
     "  --digits N             significant digits, 1 to 17 (default, exact)\n"
     "  --directions           adds columns e_p_x e_p_y e_p_z: the direction theta_p as a vector\n"
     "  --directions center    the same at the middle of the outline, with columns center_x center_y center_z, where\n"
@@ -125,7 +168,7 @@ static const char *const help_text[] = {
     "  --summary              mean, standard deviation, quartiles of each mu_p and count of dominant ranks, on\n"
     "                         standard error; keeps the mu of all polygons in memory\n"
     "  --quiet                no word about refused polygons, no progress line\n"
-    "  --help                 this page\n"
+    "  --help                 this page, as -h\n"
     "  --version\n"
     "\n",
     "PICTURES (options, too; all of them keep what they draw in memory)\n"
@@ -143,15 +186,16 @@ static const char *const help_text[] = {
     "  --ply FILE             the outlines as polygons with colours and mu_1 ... mu_P, for ParaView, MeshLab, Blender\n"
     "\n",
     "REFUSALS AND EXIT STATUS\n"
-    "  A polygon that cannot be measured is named on standard error as FILE:LINE: reason, and the run goes on.\n"
+    "  A polygon that cannot be measured is named on standard error as FILE:LINE: id: reason, and the run goes on.\n"
     "  0 all polygons were measured. 2 some were refused. 1 a wrong option; a file that cannot be read or written, is\n"
     "  malformed, or does not even name its columns: the run stops there. A pipe whose reader has gone (surfmink ... "
     "|\n"
     "  head) ends the run without a word, by the signal SIGPIPE.\n"
     "\n"
     "MEMORY\n"
-    "  grows with the largest polygon, not with the table. Meshes, --summary and pictures keep more. A line may have\n"
-    "  64 MiB.\n"};
+    "  grows with the largest polygon, not with the table. Meshes, GeoJSON, --normals estimate, --summary and "
+    "pictures\n"
+    "  keep more. A line may have 64 MiB.\n"};
 
 /* To standard output, and gone: what was asked for must not get lost unnoticed in a full disk or a closed pipe. */
 static void answer(const char *const *text, size_t pieces) COMMAND_DIES;
@@ -201,6 +245,23 @@ static double parse_radius(const char *value)
     if (!parse_number(NULL, value, &radius) || !(radius > 0 && radius <= 1e100))
         usage_error("--radius is a positive number, not '%s'", value);
     return radius;
+}
+
+static double parse_step(const char *value)
+{
+    double step;
+    if (!parse_number(NULL, value, &step) || !(step > 0 && step <= 1e100))
+        usage_error("--resample is a positive length, not '%s'", value);
+    return step;
+}
+
+/* A length, or a fraction of the perimeter: 1e-9L. */
+static int parse_distance(const char *text, double *distance, int *relative)
+{
+    const char *end = read_number(NULL, text, distance);
+    if (!end || !(*distance >= 0 && *distance <= 1e100)) return 0;
+    *relative = *end == 'L';
+    return end[*relative] == '\0' && !(*relative && *distance >= 0.5);
 }
 
 /* mu_5, or just 5; or several of these with commas between them. */
@@ -280,8 +341,16 @@ enum option {
     OPTION_VIEW,
     OPTION_TITLE,
     OPTION_UNIT,
+    OPTION_ID,
+    OPTION_COLUMNS,
+    OPTION_NORMALS,
+    OPTION_RESAMPLE,
+    OPTION_CROSSINGS,
     OPTION_DIRECTIONS, /* with or without a value */
-    OPTION_MERGE,      /* from here on without one */
+    OPTION_MERGE,      /* the same */
+    OPTION_PARTS,      /* from here on without one */
+    OPTION_REPAIR,
+    OPTION_Y_DOWN,
     OPTION_ERROR,
     OPTION_JSON,
     OPTION_SUMMARY,
@@ -293,9 +362,10 @@ enum option {
 
 /* In this order. */
 static const char *const option_name[OPTIONS] = {
-    "surface", "radius",    "max-rank", "transport", "order",    "sharp", "smooth", "reverse", "digits",
-    "svg",     "histogram", "scatter",  "ply",       "color-by", "view",  "title",  "unit",    "directions",
-    "merge",   "error",     "json",     "summary",   "quiet",    "help",  "version"};
+    "surface", "radius",    "max-rank", "transport", "order",      "sharp",  "smooth", "reverse", "digits",
+    "svg",     "histogram", "scatter",  "ply",       "color-by",   "view",   "title",  "unit",    "id",
+    "columns", "normals",   "resample", "crossings", "directions", "merge",  "parts",  "repair",  "y-down",
+    "error",   "json",      "summary",  "quiet",     "help",       "version"};
 
 static void set_option(options *o, int option, const char *value)
 {
@@ -304,6 +374,8 @@ static void set_option(options *o, int option, const char *value)
     static const char *const orders[] = {"2", "4"};
     static const char *const reversals[] = {"auto", "always", "never"};
     static const char *const places[] = {"edge", "center", "centre"};
+    static const char *const estimates[] = {"estimate", "given"};
+    static const char *const extents[] = {"auto", "always", "never"};
     static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
     const char *name = option_name[option];
     switch (option) {
@@ -325,7 +397,19 @@ static void set_option(options *o, int option, const char *value)
     case OPTION_VIEW: parse_view(o, value); break;
     case OPTION_TITLE: o->title = value; break;
     case OPTION_UNIT: o->unit = value; break;
-    case OPTION_MERGE: o->merge = 1; break;
+    case OPTION_ID: o->id = value; break;
+    case OPTION_COLUMNS: o->columns = value; break;
+    case OPTION_NORMALS: o->estimate_normals = parse_choice(name, value, estimates, 2) == 0; break;
+    case OPTION_RESAMPLE: o->resample = parse_step(value); break;
+    case OPTION_CROSSINGS: o->crossings = parse_choice(name, value, extents, 3); break;
+    case OPTION_PARTS: o->parts = 1; break;
+    case OPTION_REPAIR: o->repair = 1; break;
+    case OPTION_Y_DOWN: o->y_down = 1; break;
+    case OPTION_MERGE:
+        o->merge = 1;
+        if (value && !parse_distance(value, &o->merge_distance, &o->merge_relative))
+            usage_error("--merge takes a distance, or a fraction of the perimeter as 1e-9L, not '%s'", value);
+        break;
     case OPTION_DIRECTIONS:
         o->directions = value && parse_choice(name, value, places, 3) > 0 ? AT_CENTER : AT_FIRST_EDGE;
         break;
@@ -343,6 +427,7 @@ static int find_option(const char *text)
 {
     size_t length = strcspn(text, "=");
     int i;
+    if (strcmp(text, "-h") == 0) return OPTION_HELP;
     for (i = 0; i < OPTIONS; ++i)
         if (length > 2 && strncmp(text, "--", 2) == 0 && strlen(option_name[i]) == length - 2 &&
             strncmp(text + 2, option_name[i], length - 2) == 0)
@@ -359,13 +444,15 @@ static int is_place(const char *text)
 /* Takes one option from the front of the arguments; returns how many of them it was. */
 static int take_option(options *o, char **argument)
 {
-    int option = find_option(argument[0]);
+    int option = find_option(argument[0]), relative;
+    double distance;
     const char *equals = strchr(argument[0], '=');
-    if (option == OPTION_DIRECTIONS && !equals && !is_place(argument[1])) {
+    if ((option == OPTION_DIRECTIONS && !equals && !is_place(argument[1])) ||
+        (option == OPTION_MERGE && !equals && !(argument[1] && parse_distance(argument[1], &distance, &relative)))) {
         set_option(o, option, NULL);
         return 1;
     }
-    if (option >= OPTION_MERGE) {
+    if (option >= OPTION_PARTS) {
         if (equals) usage_error("--%s takes no value", option_name[option]);
         set_option(o, option, NULL);
         return 1;
@@ -384,6 +471,52 @@ static const char *picture_file(const options *o, int i)
     return i == 0 ? o->svg : i == 1 ? o->histogram : i == 2 ? o->scatter : o->ply;
 }
 
+#if HAS_POSIX
+/* The folder that a file is in, or would be. */
+static int stat_folder(const char *name, struct stat *folder)
+{
+    const char *slash = strrchr(name, '/');
+    size_t length = slash ? (size_t)(slash - name) + 1 : 0;
+    char *text = (char *)resize(NULL, length + 2, 1);
+    int known;
+    memcpy(text, name, length);
+    strcpy(text + length, ".");
+    known = stat(text, folder) == 0;
+    free(text);
+    return known;
+}
+#endif
+
+/* Would both names write to one file? Not by their names, but by device and inode; of files that are yet to be made, by
+   those of their folders. Devices such as /dev/null bear it. */
+static int is_same_output(const char *a, const char *b)
+{
+#if HAS_POSIX
+    struct stat at_a, at_b;
+    const char *base_a = strrchr(a, '/'), *base_b = strrchr(b, '/');
+    int is_a = stat(a, &at_a) == 0, is_b = stat(b, &at_b) == 0;
+    if (is_a != is_b) return 0;
+    if (is_a) return S_ISREG(at_a.st_mode) && at_a.st_dev == at_b.st_dev && at_a.st_ino == at_b.st_ino;
+    if (strcmp(base_a ? base_a + 1 : a, base_b ? base_b + 1 : b) != 0) return 0;
+    if (!stat_folder(a, &at_a) || !stat_folder(b, &at_b)) return strcmp(a, b) == 0;
+    return at_a.st_dev == at_b.st_dev && at_a.st_ino == at_b.st_ino;
+#else
+    return strcmp(a, b) == 0;
+#endif
+}
+
+static int is_standard_output(const char *name)
+{
+#if HAS_POSIX
+    struct stat file, out;
+    return stat(name, &file) == 0 && fstat(fileno(stdout), &out) == 0 && S_ISREG(out.st_mode) &&
+           file.st_dev == out.st_dev && file.st_ino == out.st_ino;
+#else
+    (void)name;
+    return 0;
+#endif
+}
+
 /* What no single option can know to be wrong. An option without effect would be taken for one that has been obeyed. */
 static void check_options(options *o)
 {
@@ -392,8 +525,10 @@ static void check_options(options *o)
         const char *name = picture_file(o, i);
         if (!name) continue;
         if (*name == '\0' || strcmp(name, "-") == 0) usage_error("--%s needs the name of a file", picture_option[i]);
+        if (is_standard_output(name))
+            usage_error("--%s would write the file that is standard output", picture_option[i]);
         for (j = 0; j < i; ++j)
-            if (picture_file(o, j) && strcmp(name, picture_file(o, j)) == 0)
+            if (picture_file(o, j) && is_same_output(name, picture_file(o, j)))
                 usage_error("--%s and --%s would write the same file", picture_option[j], picture_option[i]);
     }
     if (!o->svg && !o->histogram && !o->scatter && !o->ply && o->colors > 0)
@@ -410,6 +545,9 @@ static void check_options(options *o)
         usage_error("--svg draws %d panels at most: fewer --view, or fewer ranks", MOST_COLORS);
     if (o->transport == SURFMINK_PARALLEL && (o->order == 4 || o->error))
         usage_error("--transport parallel has neither --order 4 nor --error");
+    if (o->estimate_normals && (o->surface == PLANE || o->surface == SPHERE))
+        usage_error("--normals estimate is for cells in space, not for --surface %s",
+                    o->surface == PLANE ? "plane" : "sphere");
     if (o->sharp > 0 && o->order == 2 && !o->error) usage_error("--sharp is for --order 4 and --error");
 }
 

@@ -5,21 +5,57 @@
 #include "measure.h"
 
 /* What the user could do about it. */
-static const char *advice(int status, const options *o)
+static const char *advice(const measure *m, const options *o)
 {
-    switch (status) {
+    switch (m->status) {
     case SURFMINK_CLOCKWISE:
-        return o->reverse == REVERSE_ALWAYS ? "; --reverse auto turns only such outlines round"
-                                            : "; --reverse auto turns such outlines round";
-    case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them";
-    case SURFMINK_BAD_ARGUMENT: return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees";
+        if (m->surface == SPHERE)
+            return o->reverse == REVERSE_ALWAYS
+                       ? ": its left side is more than a hemisphere; --reverse auto turns only such outlines round"
+                       : ": its left side is more than a hemisphere; --reverse auto measures the other side, or were "
+                         "lon and lat exchanged?";
+        if (o->reverse == REVERSE_ALWAYS) return "; --reverse auto turns only such outlines round";
+        return m->surface == PLANE ? "; --reverse auto turns such outlines round; if y points down, as in images, "
+                                     "--y-down does, and keeps directions right"
+                                   : "; --reverse auto turns such outlines round; or normals point inwards";
+    case SURFMINK_OPPOSITE_NORMALS: return ": one of them may be flipped";
+    case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them, --repair also seams and spikes";
+    case SURFMINK_BAD_ARGUMENT:
+        return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees; x y of a map want --surface "
+               "plane";
+    case FAULT_SEVERAL_RINGS: return "; --parts makes each ring an outline";
+    case FAULT_SPIKE: return "; --repair takes it out";
+    case FAULT_SHORT_EDGE: return "; --merge 1e-6L drops such corners";
     default: return "";
     }
 }
 
+/* The reason of a refusal; on a sphere `clockwise` and more than a hemisphere are the same, and the latter is what one
+   sees. */
+static const char *reason(const measure *m)
+{
+    if (m->status == SURFMINK_CLOCKWISE && m->surface == SPHERE) return "runs clockwise";
+    return status_text(m->status);
+}
+
 static void write_refusal(FILE *out, const char *name, const measure *m, const options *o)
 {
-    fprintf(out, "%s:%lu: %s%s\n", name, m->line, surfmink_strerror(m->status), advice(m->status, o));
+    unsigned long line = m->hint_line ? m->hint_line : m->line;
+    put_harmless(out, name);
+    if (line > 0) fprintf(out, ":%lu", line);
+    fputs(": ", out);
+    put_harmless(out, m->id);
+    fprintf(out, ": %s", reason(m));
+    if (m->status == SURFMINK_CROSSES_ITSELF && m->crossing[0] && m->crossing[1])
+        fprintf(out, ": the edges from lines %lu and %lu cross", m->crossing[0], m->crossing[1]);
+    if (m->hint_line && m->hint_edge > 0)
+        fprintf(out, "; the edge that ends here is only %.1g of the perimeter long: --merge %.0eL drops it",
+                m->hint_edge, 10 * m->hint_edge);
+    else if (m->hint_line)
+        fputs("; the outline goes there and back at this corner, a spike: --repair takes it out", out);
+    else
+        fputs(advice(m, o), out);
+    fputc('\n', out);
 }
 
 #endif

@@ -1,53 +1,14 @@
-/* svg.h - step 5 of the command, if asked for: what all pictures share, a page of Scalable Vector Graphics.
-
-   Every number is printed with two decimals of a pixel, so the same input gives the same bytes. */
+/* svg.h - step 5 of the command, if asked for: what its pictures share, a page with a title, labels and axes. */
 #ifndef SURFMINK_COMMAND_SVG_H
 #define SURFMINK_COMMAND_SVG_H
 
+#include "../picture/svg.h"
 #include "picture.h"
 #include "summary.h"
 #include <errno.h>
 
 /* Pixels. A page of 700 to 1300 is printed 85 to 180 mm wide: texts of 20 are then 6 to 9 points high. */
 enum { MARGIN = 20, TITLE_SPACE = 44, TEXT_SIZE = 20, TITLE_SIZE = 25 };
-
-/* --- colour ------------------------------------------------------------------------------------------------------- */
-
-/* From indigo over teal to yellow: a path of constant speed through the colour space OKLab, lightness 0.30 to 0.92, hue
-   285 to 102 degrees. Lightness alone orders the colours: it works for any colour vision, and printed in grey. */
-static const int color_map[11][3] = {{43, 33, 97},    {23, 58, 123},   {0, 80, 128},   {1, 102, 131},
-                                     {2, 126, 138},   {1, 150, 142},   {0, 171, 138},  {77, 189, 129},
-                                     {142, 204, 122}, {196, 218, 126}, {243, 232, 144}};
-
-static void find_color(double fraction, int part[3])
-{
-    double place = 10 * fmin(1, fmax(0, fraction)), rest;
-    int i = place < 10 ? (int)place : 9, k;
-    rest = place - i;
-    for (k = 0; k < 3; ++k) part[k] = (int)(color_map[i][k] + rest * (color_map[i + 1][k] - color_map[i][k]) + 0.5);
-}
-
-static void put_color(FILE *file, double fraction)
-{
-    int part[3];
-    find_color(fraction, part);
-    fprintf(file, "#%02x%02x%02x", (unsigned)part[0], (unsigned)part[1], (unsigned)part[2]);
-}
-
-/* --- numbers ------------------------------------------------------------------------------------------------------ */
-
-/* Two decimals, without what can be left out, and never -0. */
-static void put_pixels(FILE *file, double pixels)
-{
-    long hundredths = lround(100 * fmin(1e6, fmax(-1e6, pixels))); /* farther out nothing can be seen */
-    long whole = labs(hundredths) / 100, part = labs(hundredths) % 100;
-    if (hundredths < 0) fputc('-', file);
-    fprintf(file, "%ld", whole);
-    if (part % 10)
-        fprintf(file, ".%02ld", part);
-    else if (part)
-        fprintf(file, ".%ld", part / 10);
-}
 
 /* --- texts -------------------------------------------------------------------------------------------------------- */
 
@@ -63,18 +24,6 @@ static size_t text_length(const char *text)
 static double text_width(const char *text)
 {
     return 0.54 * TEXT_SIZE * (double)text_length(text);
-}
-
-enum anchor { AT_START, AT_MIDDLE, AT_END };
-
-static void begin_text(FILE *file, double x, double y, enum anchor anchor, const char *attributes)
-{
-    static const char *const word[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-    fputs("<text x=\"", file);
-    put_pixels(file, x);
-    fputs("\" y=\"", file);
-    put_pixels(file, y);
-    fprintf(file, "\"%s%s%s>", word[anchor], *attributes ? " " : "", attributes);
 }
 
 static void put_label(FILE *file, double x, double y, enum anchor anchor, const char *text)
@@ -111,7 +60,7 @@ static void put_letter(FILE *file, double x, double y, int number)
     fprintf(file, "%s</text>\n", letter);
 }
 
-/* --- lines along the axes ----------------------------------------------------------------------------------------- */
+/* --- axes --------------------------------------------------------------------------------------------------------- */
 
 /* What is a round number of at most `most`: 1, 2 or 5 times a power of ten. */
 static double round_step(double most)
@@ -121,14 +70,32 @@ static double round_step(double most)
     return 5 * step <= most ? 5 * step : 2 * step <= most ? 2 * step : step;
 }
 
-static void put_line(FILE *file, double x, double y, char direction, double length)
+/* An axis, or the ticks along a bar of colours, and what they stand for: multiples of a step, from 0. */
+typedef struct axis {
+    double x, y, length; /* where it begins; upwards it is negative */
+    char direction;      /* 'h', 'v' */
+    double tick;         /* their length */
+    double label[2];     /* from a tick to its text */
+    enum anchor anchor;  /* of the text */
+    int ticks, every;    /* how many steps, and which of them are shown */
+    double step;
+} axis;
+
+static void put_axis(FILE *file, const axis *a, int with_line)
 {
-    fputc('M', file);
-    put_pixels(file, x);
-    fputc(' ', file);
-    put_pixels(file, y);
-    fputc(direction, file);
-    put_pixels(file, length);
+    int i, right = a->direction == 'h';
+    fputs("<path fill=\"none\" stroke=\"#222\" d=\"", file);
+    if (with_line) put_line(file, a->x, a->y, a->direction, a->length);
+    for (i = 0; i <= a->ticks; i += a->every) {
+        double at = a->length * i / a->ticks;
+        put_line(file, a->x + (right ? at : 0), a->y + (right ? 0 : at), right ? 'v' : 'h', a->tick);
+    }
+    fputs("\"/>\n", file);
+    for (i = 0; i <= a->ticks; i += a->every) {
+        double at = a->length * i / a->ticks;
+        put_tick(file, a->x + (right ? at : 0) + a->label[0], a->y + (right ? 0 : at) + a->label[1], a->anchor,
+                 i * a->step);
+    }
 }
 
 /* --- the page ----------------------------------------------------------------------------------------------------- */
@@ -149,11 +116,10 @@ static void close_page(FILE *file, const char *name)
 /* Text up to a line end would be taken for markup; the description goes on where this ends. */
 static void begin_page(FILE *file, int width, int height, const options *o, const char *title)
 {
-    fprintf(file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" role=\"img\" "
-            "aria-labelledby=\"title description\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"%d\">\n"
-            "<title id=\"title\">",
-            width, height, width, height, TEXT_SIZE);
+    begin_svg(file, width, height,
+              "role=\"img\" aria-labelledby=\"title description\" font-family=\"Helvetica, Arial, sans-serif\" "
+              "font-size=\"20\""); /* TEXT_SIZE */
+    fputs("<title id=\"title\">", file);
     put_text(file, o->title ? o->title : title, IN_XML);
     fputs("</title>\n<desc id=\"description\">", file);
 }
@@ -162,7 +128,8 @@ static void begin_page(FILE *file, int width, int height, const options *o, cons
 static void end_description(FILE *file, int width, const options *o)
 {
     double size;
-    fputs("</desc>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n", file);
+    fputs("</desc>\n", file);
+    put_paper(file);
     if (!o->title) return;
     size = fmin(TITLE_SIZE, (width - 2 * MARGIN) / (0.56 * (double)(text_length(o->title) + 1)));
     fputs("<g font-size=\"", file);

@@ -2,202 +2,372 @@
 #ifndef SURFMINK_COMMAND_TABLE_H
 #define SURFMINK_COMMAND_TABLE_H
 
-#include "lines.h"
+#include "columns.h"
 #include "polygon.h"
 
-enum column {
-    COLUMN_K,
-    COLUMN_X,
-    COLUMN_Y,
-    COLUMN_Z,
-    COLUMN_NX,
-    COLUMN_NY,
-    COLUMN_NZ,
-    COLUMN_LON,
-    COLUMN_LAT,
-    COLUMNS
-};
-
-static const char *const column_name[COLUMNS] = {"k", "x", "y", "z", "nx", "ny", "nz", "lon", "lat"};
-
-/* What the numbers of a line are, by surface. */
-typedef struct layout {
-    int surface;
-    int lonlat;
-    int columns;
-    enum column column[6];
-} layout;
-
-static const layout layout_plane = {PLANE, 0, 2, {COLUMN_X, COLUMN_Y}};
-static const layout layout_lonlat = {SPHERE, 1, 2, {COLUMN_LON, COLUMN_LAT}};
-static const layout layout_sphere = {SPHERE, 0, 3, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
-static const layout layout_embedded = {EMBEDDED, 0, 6, {COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_NX, COLUMN_NY, COLUMN_NZ}};
-
-static const size_t nowhere = (size_t)-1;
+enum { MOST_SEEN = 1 << 20 }; /* ids that are remembered, so that memory does not grow with the table */
 
 typedef struct table {
     lines *in;
     char separator;
-    size_t names;          /* fields of the line that names the columns */
-    size_t place[COLUMNS]; /* field of each known column; nowhere if there is none */
-    size_t id;             /* field of the id; nowhere if there is none */
-    const layout *layout;
-    int has_row;            /* the line that ended a polygon begins the next one */
+    column_list columns;
+    char decimal;           /* '.' or ',' once a number has had one; \0 before */
+    double down;            /* -1: y points down in the file */
+    int shift;              /* the row names of R have no name: fields are one place further on */
+    int has_row;            /* the line that ended a polygon, or came with --columns, is yet to be taken */
+    int by_columns;         /* --columns: the file has no names */
+    int by_lines;           /* it has none, and x,y,x,y,... on each line: an outline a line */
     unsigned long polygons; /* so far */
+    unsigned long rows;
+    char *id; /* of the row at hand; and what the first unnamed column had in the first row */
+    size_t id_room;
+    char *first;
+    size_t first_room;
+    char **begun_with; /* what each column that is not looked at had when the polygon began; NULL once it is told */
+    size_t *begun_room;
+    uint64_t *seen; /* hashes of ids, in a table with open addressing */
+    size_t seen_count, seen_room;
+    int told_again;
 } table;
 
 /* --- the line that names the columns ------------------------------------------------------------------------------ */
 
-/* Is it the name of column k? Coordinates may be in capitals, as ImageJ and others write them: X Y, Lon Lat. */
-static int is_named(const char *name, int k)
+/* What stands between the fields: the first of these outside of quotes, else blanks. */
+static char find_separator_of(const char *text)
 {
-    const char *known = column_name[k];
-    if (k == COLUMN_K) return strcmp(name, known) == 0;
-    for (; *known; ++known, ++name)
-        if (*name != *known && *name != *known - 'a' + 'A') return 0;
-    return *name == '\0';
+    static const char candidate[] = "\t;,";
+    const char *c, *s;
+    for (c = candidate; *c; ++c) {
+        int quoted = 0;
+        for (s = text; *s; ++s) {
+            if (*s == '"') quoted = !quoted;
+            if (*s == *c && !quoted) return *c;
+        }
+    }
+    return ' ';
 }
 
-static void find_columns(table *t)
+/* Lines of x,y,x,y,... without names, as Cellpose writes them? */
+static int is_by_lines(const table *t, const options *o)
 {
+    const lines *in = t->in;
     size_t i;
-    int k;
-    for (k = 0; k < COLUMNS; ++k) t->place[k] = nowhere;
-    t->id = nowhere;
-    t->names = t->in->fields;
-    for (i = 0; i < t->names; ++i) {
-        const char *name = t->in->field[i];
-        for (k = 0; k < COLUMNS && !is_named(name, k); ++k) continue;
-        if (k < COLUMNS && t->place[k] != nowhere) malformed(t->in, "two columns are named '%s'", column_name[k]);
-        if (k < COLUMNS)
-            t->place[k] = i;
-        else if (t->id == nowhere && *name) /* a column without a name, as some programs write, is no id */
-            t->id = i;
-    }
-}
-
-static int has(const table *t, enum column k)
-{
-    return t->place[k] != nowhere;
-}
-
-/* Without --surface the columns say what they are; where they could be two things, they do not. */
-static const layout *layout_from_columns(const table *t)
-{
-    int lonlat = has(t, COLUMN_LON) || has(t, COLUMN_LAT), xy = has(t, COLUMN_X) || has(t, COLUMN_Y);
-    int normals = has(t, COLUMN_NX) || has(t, COLUMN_NY) || has(t, COLUMN_NZ);
-    if (lonlat && xy) malformed(t->in, "columns lon lat and x y: choose with --surface");
-    if (!lonlat && !xy) malformed(t->in, "this line should name the columns: x y, lon lat, x y z or x y z nx ny nz");
-    if (lonlat) return &layout_lonlat;
-    if (!has(t, COLUMN_Z)) return &layout_plane;
-    if (!normals) malformed(t->in, "columns nx ny nz are missing, or --surface sphere, or --surface plane");
-    return &layout_embedded;
-}
-
-static const layout *choose_layout(const table *t, int surface)
-{
-    int lonlat = has(t, COLUMN_LON) || has(t, COLUMN_LAT);
-    switch (surface) {
-    case PLANE: return &layout_plane;
-    case SPHERE: return lonlat ? &layout_lonlat : &layout_sphere;
-    case EMBEDDED: return &layout_embedded;
-    default: return layout_from_columns(t);
-    }
+    double number;
+    if (o->columns || o->id || t->separator != ',' || in->fields < 6) return 0;
+    for (i = 0; i < in->fields; ++i)
+        if (!parse_number(in->powers, in->field[i], &number)) return 0;
+    if (o->surface != PLANE && o->surface != AS_THE_COLUMNS_SAY) return 0;
+    return 1;
 }
 
 static void read_header(table *t, lines *in, const options *o)
 {
-    int i;
     memset(t, 0, sizeof *t);
     t->in = in;
     do
         if (!read_line(in)) die("%s: no line names the columns", in->name);
-    while (is_blank_line(in->text) || is_comment(in->text));
+    while (is_blank_line(in->text) || is_comment(in->text) || (o->columns && *in->text == '>'));
     trim_end(in->text);
-    t->separator = (char)(strchr(in->text, '\t') ? '\t' : strchr(in->text, ',') ? ',' : ' ');
+    t->separator = find_separator_of(in->text);
     split_line(in, t->separator);
-    find_columns(t);
-    t->layout = choose_layout(t, o->surface);
-    for (i = 0; i < t->layout->columns; ++i)
-        if (!has(t, t->layout->column[i])) malformed(in, "no column '%s'", column_name[t->layout->column[i]]);
+    if (is_by_lines(t, o)) {
+        remark("%s: no names, and x,y,x,y,... on each line: each line is an outline%s", in->name,
+               o->y_down ? "" : "; --y-down if y counts rows of an image");
+        t->by_lines = t->has_row = 1;
+        t->columns.layout = &layout_plane;
+        t->down = o->y_down ? -1 : 1;
+        return;
+    }
+    read_columns(&t->columns, in, o);
+    t->by_columns = t->has_row = o->columns != NULL;
+    t->down = o->y_down || (has(&t->columns, COLUMN_ROW) && t->columns.place[COLUMN_ROW] == t->columns.place[COLUMN_Y])
+                  ? -1
+                  : 1;
+    t->begun_with = (char **)resize(NULL, t->columns.names + 1, sizeof *t->begun_with);
+    t->begun_room = (size_t *)resize(NULL, t->columns.names + 1, sizeof *t->begun_room);
+    memset(t->begun_with, 0, (t->columns.names + 1) * sizeof *t->begun_with);
+    memset(t->begun_room, 0, (t->columns.names + 1) * sizeof *t->begun_room);
+}
+
+static void free_table(table *t)
+{
+    size_t i;
+    for (i = 0; t->begun_with && i < t->columns.names; ++i) free(t->begun_with[i]);
+    free(t->begun_with);
+    free(t->begun_room);
+    free(t->id);
+    free(t->first);
+    free(t->seen);
+    free_columns(&t->columns);
 }
 
 /* --- the lines below ---------------------------------------------------------------------------------------------- */
 
 static const char *field_at(const table *t, size_t place, const char *name)
 {
-    if (place >= t->in->fields) malformed(t->in, "no field for column '%s'", name);
-    return t->in->field[place];
+    if (place + (size_t)t->shift >= t->in->fields) malformed(t->in, "no field for column '%s'", name);
+    return t->in->field[place + (size_t)t->shift];
 }
 
-static double number_at(const table *t, enum column k)
+/* A number with a decimal comma, where commas do not separate. A file has points or commas, not both. */
+static int parse_with_comma(table *t, const char *field, double *number)
 {
-    const char *field = field_at(t, t->place[k], column_name[k]);
+    char text[64], *comma;
+    if (t->separator != ';' && t->separator != '\t') return 0;
+    if (strlen(field) >= sizeof text) return 0;
+    strcpy(text, field);
+    comma = strchr(text, ',');
+    if (!comma || strchr(text, '.') || strchr(comma + 1, ',')) return 0;
+    *comma = '.';
+    if (!parse_number(t->in->powers, text, number)) return 0;
+    if (t->decimal == '.') malformed(t->in, "'%s' has a decimal comma, numbers before it a point", field);
+    t->decimal = ',';
+    return 1;
+}
+
+static double number_at(table *t, enum column k)
+{
+    const char *name = column_name[k][0], *field = field_at(t, t->columns.place[k], name);
     double number;
-    if (*field == '\0') malformed(t->in, "column '%s' is empty", column_name[k]);
-    if (!parse_number(t->in->powers, field, &number))
-        malformed(t->in, "'%s' in column '%s' is not a number", field, column_name[k]);
-    return number;
-}
-
-/* More fields than names: an id with blanks, or a table that changes its mind. */
-static void check_fields(const table *t)
-{
-    size_t i;
-    for (i = t->names; i < t->in->fields; ++i)
-        if (*t->in->field[i])
-            malformed(t->in, "%lu fields, but %lu columns are named", (unsigned long)t->in->fields,
-                      (unsigned long)t->names);
-}
-
-static void add_row(const table *t, polygon *p)
-{
-    double value[6] = {0, 0, 0, 0, 0, 0};
-    int i, status = SURFMINK_OK;
-    for (i = 0; i < t->layout->columns; ++i) {
-        value[i] = number_at(t, t->layout->column[i]);
-        if (!isfinite(value[i])) status = SURFMINK_NOT_FINITE;
+    if (*field == '\0') malformed(t->in, "column '%s' is empty", name);
+    if (parse_number(t->in->powers, field, &number)) {
+        if (t->separator != ';' && t->separator != '\t') return number;
+        if (t->decimal == ',' && strchr(field, '.'))
+            malformed(t->in, "'%s' has a decimal point, numbers before it a comma", field);
+        if (t->decimal == '\0' && strchr(field, '.')) t->decimal = '.';
+        return number;
     }
-    if (t->layout->lonlat && status == SURFMINK_OK) status = surfmink_from_lonlat(value[0], value[1], 1, value);
-    find_fault(p, status, t->in->number);
-    add_corner(p, value, value + 3, t->in->number);
+    if (parse_with_comma(t, field, &number)) return number;
+    if (t->by_columns && t->rows == 0)
+        malformed(t->in, "'%s' in column '%s' is not a number; --columns is for files without a line of names", field,
+                  name);
+    malformed(t->in, "'%s' in column '%s' is not a number", field, name);
 }
 
-/* The next line that is no comment, split; 0 at the end of the file. A blank line has no fields. */
+/* More fields than names: row names of R, an id with blanks, or a table that changes its mind. */
+static void check_fields(table *t)
+{
+    size_t i, names = t->columns.names;
+    if (t->rows == 0 && !t->by_columns && t->in->first_quoted && t->in->fields == names + 1) t->shift = 1;
+    for (i = names + (size_t)t->shift; i < t->in->fields; ++i)
+        if (*t->in->field[i])
+            malformed(t->in, "%lu fields, but %lu columns are named%s", (unsigned long)t->in->fields,
+                      (unsigned long)names, t->separator == ' ' ? ": blanks within a field need quotes" : "");
+}
+
+/* The next line that is no comment, split; 0 at the end of the file. What separates polygons has no fields: a blank
+   line, and a line that begins with >. */
 static int next_row(table *t)
 {
+    if (t->has_row) { /* it has been split */
+        t->has_row = 0;
+        if (t->in->fields > 0) check_fields(t);
+        return 1;
+    }
     do
         if (!read_line(t->in)) return 0;
     while (is_comment(t->in->text));
     t->in->fields = 0;
-    if (is_blank_line(t->in->text)) return 1;
+    if (is_blank_line(t->in->text) || *skip_blanks(t->in->text) == '>') return 1;
     split_line(t->in, t->separator);
     check_fields(t);
+    return 1;
+}
+
+/* The id of the row at hand, its columns with / between them; "" without an id. */
+static const char *id_of_row(table *t)
+{
+    const column_list *c = &t->columns;
+    size_t used = 0, length;
+    int i;
+    if (c->ids == 1) return field_at(t, c->id[0], "id");
+    for (i = 0; i < c->ids; ++i) {
+        const char *field = field_at(t, c->id[i], c->name[c->id[i]]);
+        length = strlen(field);
+        t->id = (char *)grow(t->id, &t->id_room, used + length + 2, 1);
+        if (i > 0) t->id[used++] = '/';
+        memcpy(t->id + used, field, length + 1);
+        used += length;
+    }
+    return c->ids ? t->id : "";
+}
+
+/* --- what is told once -------------------------------------------------------------------------------------------- */
+
+/* Has there been an outline of that id, other than the last one? */
+static int is_seen(table *t, const char *id)
+{
+    uint64_t hash = 0xcbf29ce4;
+    size_t i, at, room = 2 * MOST_SEEN;
+    for (; *id; ++id) hash = ((hash ^ (unsigned char)*id) & 0xffffffffffff) * 0x5bd1 ^ hash >> 40;
+    hash |= 1; /* 0 is an empty place */
+    if (t->seen_count == MOST_SEEN) return 0;
+    if (2 * t->seen_count >= t->seen_room) { /* make room, twice as much each time */
+        uint64_t *old = t->seen;
+        size_t old_room = t->seen_room;
+        t->seen_room = old_room ? 2 * old_room : 256;
+        if (t->seen_room > room) t->seen_room = room;
+        t->seen = (uint64_t *)resize(NULL, t->seen_room, sizeof *t->seen);
+        memset(t->seen, 0, t->seen_room * sizeof *t->seen);
+        for (i = 0; i < old_room; ++i) {
+            if (!old[i]) continue;
+            for (at = (size_t)(old[i] >> 1) & (t->seen_room - 1); t->seen[at]; at = (at + 1) & (t->seen_room - 1))
+                continue;
+            t->seen[at] = old[i];
+        }
+        free(old);
+    }
+    for (at = (size_t)(hash >> 1) & (t->seen_room - 1); t->seen[at]; at = (at + 1) & (t->seen_room - 1))
+        if (t->seen[at] == hash) return 1;
+    t->seen[at] = hash;
+    ++t->seen_count;
+    return 0;
+}
+
+static void tell_again(table *t, const char *id)
+{
+    if (t->told_again || says_nothing || t->columns.ids == 0 || !is_seen(t, id)) return;
+    t->told_again = 1;
+    remark("%s:%lu: id %s comes again: only lines that follow each other are one outline", t->in->name, t->in->number,
+           id);
+}
+
+/* Notes down what the columns that are not looked at have when a polygon begins; later, whether that changes. */
+static void watch_ignored(table *t, const polygon *p, int begins)
+{
+    const column_list *c = &t->columns;
+    size_t i, length;
+    if (says_nothing) return;
+    for (i = 0; i < c->names; ++i) {
+        const char *field;
+        if (!is_ignored(c, i) || !c->name[i][0] || t->begun_room[i] == nowhere) continue;
+        if (i + (size_t)t->shift >= t->in->fields) continue;
+        field = t->in->field[i + (size_t)t->shift];
+        if (!begins) {
+            if (!t->begun_with[i]) continue; /* the first row of all ended before this column */
+            if (strcmp(field, t->begun_with[i]) == 0) continue;
+            remark("%s:%lu: column '%s' changes within outline %s; if it tells outlines apart, say so with --id",
+                   t->in->name, t->in->number, c->name[i], p->id);
+            t->begun_room[i] = nowhere; /* once is enough */
+            continue;
+        }
+        length = strlen(field) + 1;
+        t->begun_with[i] = (char *)grow(t->begun_with[i], &t->begun_room[i], length, 1);
+        memcpy(t->begun_with[i], field, length);
+    }
+}
+
+/* --- polygons ----------------------------------------------------------------------------------------------------- */
+
+static void add_row(table *t, polygon *p)
+{
+    const layout *l = t->columns.layout;
+    double value[6] = {0, 0, 0, 0, 0, 0}, k = 0;
+    int i, status = SURFMINK_OK;
+    for (i = 0; i < l->columns; ++i) {
+        value[i] = number_at(t, l->column[i]);
+        if (!isfinite(value[i])) status = SURFMINK_NOT_FINITE;
+    }
+    if (l->surface != SPHERE) value[1] *= t->down;
+    if (l->surface == EMBEDDED) value[4] *= t->down;
+    if (l->lonlat && status == SURFMINK_OK) status = surfmink_from_lonlat(value[0], value[1], 1, value);
+    find_fault(p, status, t->in->number);
+    if (has(&t->columns, COLUMN_K)) k = number_at(t, COLUMN_K);
+    add_corner(p, value, value + 3, t->in->number);
+    if (has(&t->columns, COLUMN_K)) set_order(p, k);
+    ++t->rows;
+}
+
+/* Is the row one of NaNs, as MATLAB has between outlines? */
+static int is_gap(const table *t)
+{
+    const layout *l = t->columns.layout;
+    int i;
+    for (i = 0; i < l->columns; ++i) {
+        size_t place = t->columns.place[l->column[i]] + (size_t)t->shift;
+        double number;
+        if (place >= t->in->fields || !parse_number(t->in->powers, t->in->field[place], &number) || !isnan(number))
+            return 0;
+    }
     return 1;
 }
 
 static void begin_row_polygon(table *t, polygon *p)
 {
     char number[32];
+    const char *id = number;
     snprintf(number, sizeof number, "%lu", t->polygons++);
-    begin_polygon(p, t->layout->surface, t->id == nowhere ? number : field_at(t, t->id, "id"), t->in->number);
+    if (t->columns.ids > 0) id = id_of_row(t);
+    begin_polygon(p, t->columns.layout->surface, id, t->in->number);
+    tell_again(t, p->id);
+}
+
+/* A first column without a name is an id if the second row has the same in it as the first; if not, a mere index. */
+static void judge_unnamed(table *t, polygon *p)
+{
+    const char *field;
+    size_t length;
+    if (t->columns.unnamed == nowhere || t->rows > 1) return;
+    field = field_at(t, t->columns.unnamed, "without a name");
+    if (t->rows == 0) {
+        length = strlen(field) + 1;
+        t->first = (char *)grow(t->first, &t->first_room, length, 1);
+        memcpy(t->first, field, length);
+        return;
+    }
+    if (strcmp(field, t->first) == 0) {
+        add_id(&t->columns, t->columns.unnamed);
+        rename_polygon(p, t->first);
+        remark("%s: id: the first column, which has no name but the same in rows that follow each other", t->in->name);
+    }
+    t->columns.unnamed = nowhere;
+}
+
+/* A line of x,y,x,y,... */
+static int next_line_polygon(table *t, polygon *p)
+{
+    char number[32];
+    size_t i, k;
+    do {
+        if (!t->has_row && !read_line(t->in)) return 0;
+        if (!t->has_row && (is_comment(t->in->text) || is_blank_line(t->in->text))) continue;
+        if (!t->has_row) split_line(t->in, t->separator);
+        t->has_row = 0;
+        break;
+    } while (1);
+    if (t->in->fields % 2 != 0) malformed(t->in, "%lu numbers are no pairs x,y", (unsigned long)t->in->fields);
+    snprintf(number, sizeof number, "%lu", t->polygons++);
+    begin_polygon(p, PLANE, number, t->in->number);
+    for (i = 0; i < t->in->fields; i += 2) {
+        double x[2];
+        for (k = 0; k < 2; ++k)
+            if (!parse_number(t->in->powers, t->in->field[i + k], &x[k]))
+                malformed(t->in, "'%s' is not a number", t->in->field[i + k]);
+        x[1] *= t->down;
+        if (!isfinite(x[0]) || !isfinite(x[1])) find_fault(p, SURFMINK_NOT_FINITE, t->in->number);
+        add_corner(p, x, NULL, t->in->number);
+    }
+    return 1;
 }
 
 /* Lines that follow each other with the same id; without ids, up to a blank line. Returns 0 at the end of the file. */
 static int next_of_table(table *t, polygon *p)
 {
-    int begun = 0, named = t->id != nowhere;
-    while (t->has_row || next_row(t)) {
-        t->has_row = 0;
-        if (t->in->fields == 0) {
-            if (begun && !named) return 1;
+    int begun = 0;
+    if (t->by_lines) return next_line_polygon(t, p);
+    while (next_row(t)) {
+        if (t->in->fields == 0 || (t->columns.ids == 0 && is_gap(t))) {
+            if (begun && t->columns.ids == 0) return 1;
             continue;
         }
-        if (begun && named && strcmp(p->id, field_at(t, t->id, "id")) != 0) {
+        if (begun) judge_unnamed(t, p);
+        if (begun && t->columns.ids > 0 && strcmp(p->id, id_of_row(t)) != 0) {
             t->has_row = 1;
             return 1;
         }
+        if (!begun) judge_unnamed(t, p);
         if (!begun) begin_row_polygon(t, p);
+        watch_ignored(t, p, !begun);
         begun = 1;
         add_row(t, p);
     }

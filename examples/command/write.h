@@ -98,12 +98,13 @@ static void write_row(FILE *out, const options *o, const powers_of_ten *powers, 
     w.powers = powers;
     w.columns = 0;
     if (row == JSON_OBJECT) putc('{', out);
+    if (o->files > 1) put_word(&w, "file", current_file);
     put_word(&w, "id", id);
     put_count(&w, "n", m ? m->n : 0);
-    put_word(&w, "status", m ? surfmink_status_name(m->status) : "");
+    put_word(&w, "status", m ? status_name(m->status) : "");
     put_number(&w, "L", 0, 0, ok ? &ok->length : NULL);
     put_number(&w, "S", 0, 0, ok ? &ok->turning : NULL);
-    put_number(&w, "area", 0, 0, ok && surface != EMBEDDED ? &ok->area : NULL);
+    put_number(&w, "area", 0, 0, ok ? &ok->area : NULL);
     for (p = 1; p <= o->max_rank; ++p) put_number(&w, "mu", p, 0, ok ? ok->mu + p : NULL);
     if (o->error) put_number(&w, "error_L", 0, 0, ok ? ok->error : NULL);
     for (p = 1; p <= o->max_rank && o->error; ++p) put_number(&w, "error", p, 0, ok ? ok->error + p : NULL);

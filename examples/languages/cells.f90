@@ -4,16 +4,15 @@
 !   gfortran examples/languages/surfmink.f90 examples/languages/cells.f90 -L.build -lsurfmink -Wl,-rpath,.build
 !   ./a.out examples/data/tissue.tsv
 program cells
-    use, intrinsic :: iso_c_binding, only: c_int, c_size_t, c_double, c_loc
+    use, intrinsic :: iso_c_binding, only: c_int, c_size_t, c_double
     use surfmink
     implicit none
     integer, parameter :: most = 100000, p = 6
-    real(c_double), target :: corner(3, most), normal(3, most), row(7)
-    integer(c_size_t), target :: offset(most + 1)
+    real(c_double) :: corner(3, most), normal(3, most), row(7)
+    integer(c_size_t) :: offset(most + 1)
     integer :: id(most)
-    real(c_double), allocatable, target :: mu(:, :), theta(:, :)
-    integer(c_int), allocatable, target :: status(:)
-    type(surfmink_results) :: out
+    real(c_double), allocatable :: mu(:, :), theta(:, :)
+    integer(c_int), allocatable :: status(:)
     character(len=1000) :: line, table
     integer(c_size_t) :: count, n, refused
     integer :: i, end, file
@@ -43,10 +42,8 @@ program cells
     offset(count + 1) = n
 
     allocate (mu(0:p, count), theta(0:p, count), status(count))
-    out%status = c_loc(status)
-    out%mu = c_loc(mu)
-    out%theta = c_loc(theta)
-    refused = surfmink_batch_embedded(corner, normal, offset, count, p, out)
+    refused = surfmink_batch(surfmink_embedded, corner, normal, n, 1.0_c_double, offset, count, p, status, mu=mu, &
+        theta=theta)
     do i = 1, int(count)
         if (status(i) /= surfmink_ok) print '(a, i0, a)', 'cell ', id(i), ': '//surfmink_strerror(status(i))
     end do

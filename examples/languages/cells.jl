@@ -6,33 +6,21 @@ using DelimitedFiles, Printf
 
 const library = get(ENV, "SURFMINK_LIBRARY", "libsurfmink")
 
-# Where the results of a batch go; C_NULL for what is not asked for. The fields of surfmink_results, in order.
-struct Results
-    status::Ptr{Cint}
-    bad::Ptr{Csize_t}
-    length::Ptr{Cdouble}
-    turning::Ptr{Cdouble}
-    area::Ptr{Cdouble}
-    mu::Ptr{Cdouble}
-    g::Ptr{Cdouble}
-    theta::Ptr{Cdouble}
-end
+strerror(status) = unsafe_string(ccall((:surfmink_flat_strerror, library), Cstring, (Cint,), status))
 
-strerror(status) = unsafe_string(ccall((:surfmink_strerror, library), Cstring, (Cint,), status))
-
-# corner and normal 3 x n: columns lie one after the other in memory, as C wants them. Offsets count from 0.
+# flat.h says what the arguments are. corner and normal 3 x n: columns lie one after the other in memory, as C wants them. Offsets count from 0.
 function embedded(corner::Matrix{Float64}, normal::Matrix{Float64}, offset::Vector{Csize_t}, max_rank)
     count = length(offset) - 1
     size(corner, 1) == 3 && size(corner) == size(normal) && all(offset .<= size(corner, 2)) ||
         error("corner and normal are 3 x n, and no offset is above n")
     mu, theta = fill(NaN, max_rank + 1, count), fill(NaN, max_rank + 1, count)
     status = zeros(Cint, count)
-    GC.@preserve mu theta status begin
-        out = Ref(Results(pointer(status), C_NULL, C_NULL, C_NULL, C_NULL, pointer(mu), C_NULL, pointer(theta)))
-        ccall((:surfmink_batch_embedded, library), Csize_t,
-            (Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Csize_t}, Csize_t, Cint, Ref{Results}, Ptr{Cdouble}),
-            corner, normal, offset, count, max_rank, out, C_NULL)
-    end
+    # kind 2 is embedded; C_NULL for what is not asked for: bad, length, turning, area, g, scratch
+    ccall((:surfmink_flat_batch, library), Csize_t,
+        (Cint, Ptr{Cdouble}, Ptr{Cdouble}, Csize_t, Cdouble, Ptr{Csize_t}, Csize_t, Cint, Ptr{Cint}, Ptr{Csize_t},
+            Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}),
+        2, corner, normal, size(corner, 2), 1.0, offset, count, max_rank, status, C_NULL,
+        C_NULL, C_NULL, C_NULL, mu, C_NULL, theta, C_NULL)
     return mu, theta, status
 end
 

@@ -1,40 +1,31 @@
-! surfmink from Fortran: the interfaces of the functions of surfmink.h that measure.
+! surfmink from Fortran: the interfaces of examples/languages/flat.h, which says what the arguments are, under shorter
+! names.
 !
 !   make shared
 !   gfortran examples/languages/surfmink.f90 examples/languages/cells.f90 -L.build -lsurfmink -Wl,-rpath,.build
 !
 ! Corners are corner(2, n) or corner(3, n): in memory they lie one after the other, as C wants them. Offsets, edges and
-! corners to blame count from 0, as in C: outline i has the corners offset(i) + 1 ... offset(i + 1).
+! corners to blame count from 0, as in C: outline i has the corners offset(i) + 1 ... offset(i + 1). What is optional is
+! left out or named: surfmink_measure(surfmink_plane, corner, n=4_c_size_t, radius=1.0_c_double, max_rank=6, mu=mu).
 module surfmink
-    use, intrinsic :: iso_c_binding, only: c_int, c_size_t, c_double, c_ptr, c_funptr, c_char, c_null_ptr, &
-        c_null_funptr, c_f_pointer, c_associated
+    use, intrinsic :: iso_c_binding, only: c_int, c_size_t, c_double, c_signed_char, c_ptr, c_funptr, c_char, &
+        c_null_ptr, c_null_funptr, c_f_pointer, c_associated
     implicit none
 
     enum, bind(c) ! surfmink_status
         enumerator :: surfmink_ok = 0, surfmink_too_few_corners, surfmink_not_finite, surfmink_coincident_corners, &
             surfmink_zero_normal, surfmink_upright_edge, surfmink_antipodal_corners, surfmink_clockwise, &
-            surfmink_too_much_curvature, surfmink_crosses_itself, surfmink_callback_failed, surfmink_bad_argument
+            surfmink_too_much_curvature, surfmink_crosses_itself, surfmink_callback_failed, surfmink_bad_argument, &
+            surfmink_opposite_normals, surfmink_curve_unlike_edges = 100
     end enum
 
     enum, bind(c) ! surfmink_transport
         enumerator :: surfmink_corrected = 0, surfmink_parallel, surfmink_defect
     end enum
 
-    type, bind(c) :: surfmink_functionals
-        real(c_double) :: area, length, turning, curvature, condition
-    end type
-
-    ! Each is c_loc of an array of yours, or c_null_ptr.
-    type, bind(c) :: surfmink_results
-        type(c_ptr) :: status = c_null_ptr  ! integer(c_int)
-        type(c_ptr) :: bad = c_null_ptr     ! integer(c_size_t)
-        type(c_ptr) :: length = c_null_ptr  ! real(c_double), as all that follow
-        type(c_ptr) :: turning = c_null_ptr
-        type(c_ptr) :: area = c_null_ptr
-        type(c_ptr) :: mu = c_null_ptr      ! (0:P, count)
-        type(c_ptr) :: g = c_null_ptr       ! (2, 0:P, count)
-        type(c_ptr) :: theta = c_null_ptr   ! (0:P, count)
-    end type
+    enum, bind(c) ! surfmink_kind
+        enumerator :: surfmink_plane = 0, surfmink_sphere, surfmink_embedded
+    end enum
 
     ! The callbacks are c_funloc of functions with bind(c) and these interfaces: surfmink_log, surfmink_exp.
     type, bind(c) :: surfmink_surface
@@ -62,79 +53,99 @@ module surfmink
     end interface
 
     interface
-        integer(c_int) function surfmink_measure_plane(corner, n, max_rank, mu, g, w, bad) bind(c)
-            import :: c_int, c_size_t, c_double, surfmink_functionals
-            real(c_double), intent(in) :: corner(2, *)
-            integer(c_size_t), value :: n
-            integer(c_int), value :: max_rank
-            real(c_double), intent(inout), optional :: mu(0:*), g(2, 0:*)
-            type(surfmink_functionals), intent(inout), optional :: w
-            integer(c_size_t), intent(inout), optional :: bad
-        end function
-
-        integer(c_int) function surfmink_measure_sphere(corner, n, radius, max_rank, mu, g, w, bad) bind(c)
-            import :: c_int, c_size_t, c_double, surfmink_functionals
-            real(c_double), intent(in) :: corner(3, *)
+        ! w: area, length, turning, curvature, condition
+        integer(c_int) function surfmink_measure(kind, corner, normal, n, radius, max_rank, mu, g, w, bad) &
+            bind(c, name="surfmink_flat_measure")
+            import :: c_int, c_size_t, c_double
+            integer(c_int), value :: kind
+            real(c_double), intent(in) :: corner(*)
+            real(c_double), intent(in), optional :: normal(3, *)
             integer(c_size_t), value :: n
             real(c_double), value :: radius
             integer(c_int), value :: max_rank
-            real(c_double), intent(inout), optional :: mu(0:*), g(2, 0:*)
-            type(surfmink_functionals), intent(inout), optional :: w
+            real(c_double), intent(inout), optional :: mu(0:*), g(2, 0:*), w(5)
             integer(c_size_t), intent(inout), optional :: bad
         end function
 
-        integer(c_int) function surfmink_measure_embedded(corner, normal, n, max_rank, mu, g, w, bad) bind(c)
-            import :: c_int, c_size_t, c_double, surfmink_functionals
-            real(c_double), intent(in) :: corner(3, *), normal(3, *)
-            integer(c_size_t), value :: n
-            integer(c_int), value :: max_rank
-            real(c_double), intent(inout), optional :: mu(0:*), g(2, 0:*)
-            type(surfmink_functionals), intent(inout), optional :: w
-            integer(c_size_t), intent(inout), optional :: bad
-        end function
-
-        integer(c_int) function surfmink_measure_surface(surface, corner, n, scratch, max_rank, mu, g, w, bad) bind(c)
-            import :: c_int, c_size_t, c_double, surfmink_functionals, surfmink_surface
+        integer(c_int) function surfmink_measure_surface(surface, corner, n, max_rank, mu, g, w, bad) &
+            bind(c, name="surfmink_flat_measure_surface")
+            import :: c_int, c_size_t, c_double, surfmink_surface
             type(surfmink_surface), intent(in) :: surface
             real(c_double), intent(in) :: corner(*)
             integer(c_size_t), value :: n
-            real(c_double), intent(inout) :: scratch(*)
             integer(c_int), value :: max_rank
-            real(c_double), intent(inout), optional :: mu(0:*), g(2, 0:*)
-            type(surfmink_functionals), intent(inout), optional :: w
+            real(c_double), intent(inout), optional :: mu(0:*), g(2, 0:*), w(5)
             integer(c_size_t), intent(inout), optional :: bad
         end function
 
-        integer(c_size_t) function surfmink_batch_plane(corner, offset, count, max_rank, out, scratch) bind(c)
-            import :: c_int, c_size_t, c_double, surfmink_results
-            real(c_double), intent(in) :: corner(2, *)
+        ! mu, theta (0:P, count), g (2, 0:P, count)
+        integer(c_size_t) function surfmink_batch(kind, corner, normal, n, radius, offset, count, max_rank, status, &
+            bad, length, turning, area, mu, g, theta, scratch) bind(c, name="surfmink_flat_batch")
+            import :: c_int, c_size_t, c_double
+            integer(c_int), value :: kind
+            real(c_double), intent(in) :: corner(*)
+            real(c_double), intent(in), optional :: normal(3, *)
+            integer(c_size_t), value :: n
+            real(c_double), value :: radius
             integer(c_size_t), intent(in) :: offset(*)
             integer(c_size_t), value :: count
             integer(c_int), value :: max_rank
-            type(surfmink_results), intent(in) :: out
-            real(c_double), intent(inout), optional :: scratch(*)
+            integer(c_int), intent(inout), optional :: status(*)
+            integer(c_size_t), intent(inout), optional :: bad(*)
+            real(c_double), intent(inout), optional :: length(*), turning(*), area(*), mu(*), g(*), theta(*), scratch(*)
         end function
 
-        integer(c_size_t) function surfmink_batch_sphere(corner, offset, count, radius, max_rank, out, scratch) bind(c)
-            import :: c_int, c_size_t, c_double, surfmink_results
-            real(c_double), intent(in) :: corner(3, *)
+        integer(c_int) function surfmink_curve(kind, corner, normal, n, radius, order, sharp, max_rank, mu, error, &
+            g, w, scratch, bad) bind(c, name="surfmink_flat_curve")
+            import :: c_int, c_size_t, c_double, c_signed_char
+            integer(c_int), value :: kind
+            real(c_double), intent(in) :: corner(*)
+            real(c_double), intent(in), optional :: normal(3, *)
+            integer(c_size_t), value :: n
+            real(c_double), value :: radius
+            integer(c_int), value :: order
+            integer(c_signed_char), intent(in), optional :: sharp(*)
+            integer(c_int), value :: max_rank
+            real(c_double), intent(inout), optional :: mu(0:*), error(0:*), g(2, 0:*), w(5)
+            real(c_double), intent(inout) :: scratch(*)
+            integer(c_size_t), intent(inout), optional :: bad
+        end function
+
+        integer(c_size_t) function surfmink_gradient(kind, corner, normal, n, radius, offset, count, max_rank, by_mu, &
+            by_g, by_theta, by_length, shared, status, bad, mu, g, theta, w, by_corner, by_normal, scratch) &
+            bind(c, name="surfmink_flat_gradient")
+            import :: c_int, c_size_t, c_double
+            integer(c_int), value :: kind
+            real(c_double), intent(in) :: corner(*)
+            real(c_double), intent(in), optional :: normal(3, *)
+            integer(c_size_t), value :: n
+            real(c_double), value :: radius
             integer(c_size_t), intent(in) :: offset(*)
             integer(c_size_t), value :: count
+            integer(c_int), value :: max_rank
+            real(c_double), intent(in), optional :: by_mu(*), by_g(*), by_theta(*), by_length(*)
+            integer(c_int), value :: shared
+            integer(c_int), intent(inout), optional :: status(*)
+            integer(c_size_t), intent(inout), optional :: bad(*)
+            real(c_double), intent(inout), optional :: mu(*), g(*), theta(*), w(5, *)
+            real(c_double), intent(inout) :: by_corner(*)
+            real(c_double), intent(inout), optional :: by_normal(3, *)
+            real(c_double), intent(inout) :: scratch(*)
+        end function
+
+        integer(c_int) function surfmink_director(kind, corner, normal, n, radius, max_rank, mu, g, w, centre, &
+            mean_normal, direction, coherence, scratch, bad) bind(c, name="surfmink_flat_director")
+            import :: c_int, c_size_t, c_double
+            integer(c_int), value :: kind
+            real(c_double), intent(in) :: corner(*)
+            real(c_double), intent(in), optional :: normal(3, *)
+            integer(c_size_t), value :: n
             real(c_double), value :: radius
             integer(c_int), value :: max_rank
-            type(surfmink_results), intent(in) :: out
-            real(c_double), intent(inout), optional :: scratch(*)
-        end function
-
-        integer(c_size_t) function surfmink_batch_embedded(corner, normal, offset, count, max_rank, out, scratch) &
-            bind(c)
-            import :: c_int, c_size_t, c_double, surfmink_results
-            real(c_double), intent(in) :: corner(3, *), normal(3, *)
-            integer(c_size_t), intent(in) :: offset(*)
-            integer(c_size_t), value :: count
-            integer(c_int), value :: max_rank
-            type(surfmink_results), intent(in) :: out
-            real(c_double), intent(inout), optional :: scratch(*)
+            real(c_double), intent(inout), optional :: mu(0:*), g(2, 0:*), w(5), centre(3), mean_normal(3), &
+                direction(*), coherence(0:*)
+            real(c_double), intent(inout) :: scratch(*)
+            integer(c_size_t), intent(inout), optional :: bad
         end function
 
         integer(c_int) function surfmink_spectrum(g, max_rank, lambda, mu, theta) bind(c)
@@ -150,12 +161,12 @@ module surfmink
             real(c_double), intent(inout) :: point(3)
         end function
 
-        type(c_ptr) function surfmink_strerror_c(status) bind(c, name="surfmink_strerror")
+        type(c_ptr) function surfmink_strerror_c(status) bind(c, name="surfmink_flat_strerror")
             import :: c_int, c_ptr
             integer(c_int), value :: status
         end function
 
-        type(c_ptr) function surfmink_status_name_c(status) bind(c, name="surfmink_status_name")
+        type(c_ptr) function surfmink_status_name_c(status) bind(c, name="surfmink_flat_status_name")
             import :: c_int, c_ptr
             integer(c_int), value :: status
         end function

@@ -25,6 +25,7 @@ is: what would have to be copied is refused with a TypeError or ValueError that 
 Of one outline (offset=None) a refusal raises Refused; of many it is an entry in Results.status, and no other outline is
 disturbed. Calls let other threads of Python run.
 """
+import collections
 import ctypes
 import ctypes.util
 import os
@@ -33,20 +34,7 @@ import numpy as np
 
 # --- the C side -------------------------------------------------------------------------------------------------------
 
-ABI = "0.3"  # of the library: numbers of the version that decide whether this file fits it
-
-
-class _Functionals(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_double) for name in ("area", "length", "turning", "curvature", "condition")]
-
-
-class _Results(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p)
-                for name in ("status", "bad", "length", "turning", "area", "mu", "g", "theta")]
-
-
-class _Weights(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p) for name in ("mu", "g", "theta", "length")] + [("shared", ctypes.c_size_t)]
+ABI = "0.4"  # of the library: numbers of the version that decide whether this file fits it
 
 
 _double_p = ctypes.POINTER(ctypes.c_double)
@@ -58,42 +46,25 @@ class _Surface(ctypes.Structure):
     _fields_ = [("context", ctypes.c_void_p), ("stride", ctypes.c_size_t), ("log", _Log), ("exp", _Exp)]
 
 
-# What is called of the library. A further function is a line here and a call of _library.
+# What is called of the library: flat.h, and a few functions of surfmink.h. A further one is a line here and a call of
+# _library.
 _array, _count, _int, _double = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int, ctypes.c_double
-_w, _size_p, _out = ctypes.POINTER(_Functionals), ctypes.POINTER(ctypes.c_size_t), ctypes.POINTER(_Results)
-_weights_p = ctypes.POINTER(_Weights)
+_size_p, _surface_p = ctypes.POINTER(ctypes.c_size_t), ctypes.POINTER(_Surface)
+_outline = [_int, _array, _array, _count, _double]  # kind, corner, normal, n, radius
 _signatures = {
-    "strerror": (ctypes.c_char_p, [_int]),
-    "status_name": (ctypes.c_char_p, [_int]),
-    "measure_plane": (_int, [_array, _count, _int, _array, _array, _w, _size_p]),
-    "measure_sphere": (_int, [_array, _count, _double, _int, _array, _array, _w, _size_p]),
-    "measure_embedded": (_int, [_array, _array, _count, _int, _array, _array, _w, _size_p]),
-    "measure_surface": (_int, [ctypes.POINTER(_Surface), _array, _count, _array, _int, _array, _array, _w, _size_p]),
-    "batch_plane": (_count, [_array, _array, _count, _int, _out, _array]),
-    "batch_sphere": (_count, [_array, _array, _count, _double, _int, _out, _array]),
-    "batch_embedded": (_count, [_array, _array, _array, _count, _int, _out, _array]),
-    "curve_plane": (_int, [_array, _array, _count, _int, _int] + 4 * [_array] + [_w, _size_p]),
-    "curve_sphere": (_int, [_array, _array, _count, _double, _int, _int] + 4 * [_array] + [_w, _size_p]),
-    "curve_embedded": (_int, [_array, _array, _array, _count, _int, _int] + 4 * [_array] + [_w, _size_p]),
-    "gradient_plane": (_int, [_array, _count, _int, _weights_p, _array, _array, _w, _array, _array, _size_p]),
-    "gradient_sphere": (_int, [_array, _count, _double, _int, _weights_p, _array, _array, _w, _array, _array, _size_p]),
-    "gradient_embedded": (_int, [_array, _array, _count, _int, _weights_p, _array, _array, _w] + 3 * [_array] +
-                          [_size_p]),
-    "batch_gradient_plane": (_count, [_array, _array, _count, _int, _weights_p, _out, _array, _array]),
-    "batch_gradient_sphere": (_count, [_array, _array, _count, _double, _int, _weights_p, _out, _array, _array]),
-    "batch_gradient_embedded": (_count, [_array, _array, _array, _count, _int, _weights_p, _out] + 3 * [_array]),
-    "edges_plane": (_int, [_array, _count, _array, _array, _size_p]),
-    "edges_sphere": (_int, [_array, _count, _double, _array, _array, _size_p]),
-    "edges_embedded": (_int, [_array, _array, _count, _array, _array, _size_p]),
-    "phases": (_int, [_array, _count, _int, _array]),
-    "director_plane": (_int, [_array, _count, _array, _array, _array, _int] + 4 * [_array]),
-    "director_sphere": (_int, [_array, _count, _array, _array, _array, _int] + 4 * [_array]),
-    "director_embedded": (_int, [_array, _array, _count, _array, _array, _array, _int] + 5 * [_array]),
+    "flat_strerror": (ctypes.c_char_p, [_int]),
+    "flat_status_name": (ctypes.c_char_p, [_int]),
+    "flat_measure": (_int, _outline + [_int] + 3 * [_array] + [_size_p]),
+    "flat_measure_surface": (_int, [_surface_p, _array, _count, _int] + 3 * [_array] + [_size_p]),
+    "flat_batch": (_count, _outline + [_array, _count, _int] + 9 * [_array]),
+    "flat_curve": (_int, _outline + [_int, _array, _int] + 5 * [_array] + [_size_p]),
+    "flat_gradient": (_count, _outline + [_array, _count, _int] + 4 * [_array] + [_int] + 9 * [_array]),
+    "flat_director": (_int, _outline + [_int] + 8 * [_array] + [_size_p]),
     "spectrum": (_int, [_array, _int, _array, _array, _array]),
     "angles": (_int, [_array, _int, _int, _array]),
     "from_lonlat": (_int, [_double, _double, _double, _array]),
-    "regular_polygon": (_int, [ctypes.POINTER(_Surface), _array, _double, _double, _count, _array]),
-    "edge_points": (_int, [ctypes.POINTER(_Surface), _array, _array, _count, _array]),
+    "regular_polygon": (_int, [_surface_p, _array, _double, _double, _count, _array]),
+    "edge_points": (_int, [_surface_p, _array, _array, _count, _array]),
 }
 
 
@@ -134,18 +105,23 @@ _library = _load()
 
 # --- statuses ---------------------------------------------------------------------------------------------------------
 
+def _name(status):
+    return _library.surfmink_flat_status_name(status).decode()
+
+
 STATUS_NAMES = []  # of status 0, 1, 2, ...: "ok", "too_few_corners", ...
-while _library.surfmink_status_name(len(STATUS_NAMES)):
-    STATUS_NAMES.append(_library.surfmink_status_name(len(STATUS_NAMES)).decode())
+while _name(len(STATUS_NAMES)):
+    STATUS_NAMES.append(_name(len(STATUS_NAMES)))
 
 OK = 0
-_CALLBACK_FAILED = STATUS_NAMES.index("callback_failed")
+_STATUS = {_name(status): status for status in [*range(len(STATUS_NAMES)), 100]}  # 100: "unlike_edges", of curves
+_CALLBACK_FAILED, _BAD_ARGUMENT = _STATUS["callback_failed"], _STATUS["bad_argument"]
 
 
 class Refused(ValueError):
     """An outline that cannot be measured, or an argument without sense.
 
-    name      what is wrong: one of STATUS_NAMES
+    name      what is wrong: one of STATUS_NAMES, or of curves "unlike_edges"
     status    its number
     corner    the corner to blame, or None where it is the whole outline or no outline at all
     outline   which outline of a batch, else None
@@ -153,17 +129,17 @@ class Refused(ValueError):
 
     def __init__(self, name, corner=None, outline=None):
         self.name = name
-        self.status = STATUS_NAMES.index(name)
+        self.status = _STATUS[name]
         self.corner = corner
         self.outline = outline
         where = "" if outline is None else "outline %d: " % outline
         at = "" if corner is None else " (corner %d)" % corner
-        super().__init__("%s%s: %s%s" % (where, name, _library.surfmink_strerror(self.status).decode(), at))
+        super().__init__("%s%s: %s%s" % (where, name, _library.surfmink_flat_strerror(self.status).decode(), at))
 
 
 def _check(status, bad=None, n=None):
     if status != OK:
-        raise Refused(STATUS_NAMES[status], bad if bad is not None and bad < n else None)
+        raise Refused(_name(status), bad if bad is not None and bad < n else None)
 
 
 # --- arguments --------------------------------------------------------------------------------------------------------
@@ -245,8 +221,9 @@ def _sharp(sharp, corners):
 
 
 def _weights(given, max_rank, count):
-    """The weights as C can read them: each one set for all `count` outlines, or each one for every outline. `given` are
-    mu, g, theta and length, in this order; count is None for one outline alone. No copy of a numpy array."""
+    """The weights as C can read them, and whether they are shared: each one set for all `count` outlines, or each one
+    for every outline. `given` are mu, g, theta and length, in this order; count is None for one outline alone. No copy
+    of a numpy array."""
     kept, shared = [], {}
     for name, array in zip(("mu", "g", "theta", "length"), given):
         if array is not None:
@@ -262,9 +239,7 @@ def _weights(given, max_rank, count):
         raise ValueError("%s: one for all outlines, but %s: one of each; numpy.full(shape, value) makes one of each" % (
             ", ".join(name for name in shared if shared[name]),
             ", ".join(name for name in shared if not shared[name])))
-    weights = _Weights(*(_at(array) for array in kept), all(shared.values()))
-    weights.kept = kept  # the struct has only their addresses
-    return weights
+    return kept, int(all(shared.values()))
 
 
 def _at(array):
@@ -276,13 +251,14 @@ def _at(array):
 class Results:
     """What was measured. Arrays have one entry an outline; those of one outline (offset=None) have no such axis.
 
-    L, S, area    length, total turning (2 pi - enclosed curvature); area, 0 where the surface does not tell it
+    L, S, area    length, total turning (2 pi - enclosed curvature); area, an estimate on embedded surfaces, NaN on a
+                  Surface, which does not tell it
     mu, theta     (count, P + 1): mu_p in [0, 1]; angle of the first eigenvector at the middle of edge 0, from the outer
                   co-normal towards the edge, radians in (-pi/p, pi/p]: noise where mu_p is
     g             (count, P + 1) complex: irreducible components, as the library wrote them
     status, bad   0 or why it was refused; then the corner to blame, or the number of corners. Numbers of a refused
                   outline are NaN
-    w             only of one outline: area, length, turning, curvature and condition
+    w             only of one outline: area, length, turning, curvature and condition, by these names
     What is not asked for is None:
     error                   of curves (count, P + 1): how far mu_p may be off; error[0] is that of L, over L
     by_corner, by_normal    of gradients: dE/dx_i and dE/dn_i, as corner (N, 2 or 3) and normal (N, 3); no axis for
@@ -308,10 +284,6 @@ class Results:
             setattr(self, name, np.full((count,) + shape, np.nan))
         self._of_each += tuple(more)
 
-    def _addresses(self):
-        return _Results(*(_at(a) for a in (self.status, self.bad, self.L, self.S, self.area, self.mu, self.g,
-                                           self.theta)))
-
     @property
     def ok(self):
         """True where the outline was measured."""
@@ -320,7 +292,7 @@ class Results:
     @property
     def names(self):
         """Each status as a word: "ok", "clockwise", ..."""
-        return np.array(STATUS_NAMES)[self.status]
+        return np.vectorize(_name, otypes=[object])(self.status).astype(str)
 
     def check(self):
         """Raises Refused for the first outline that was refused; else returns the results."""
@@ -328,7 +300,7 @@ class Results:
         if refused.size:
             i = int(refused[0])
             corner = int(self.bad[i])
-            raise Refused(STATUS_NAMES[self.status[i]], corner if corner < self._corners(i) else None, i)
+            raise Refused(_name(int(self.status[i])), corner if corner < self._corners(i) else None, i)
         return self
 
     def _corners(self, i):
@@ -340,24 +312,60 @@ class Results:
         return self
 
 
-def _one(function, n, max_rank, arguments):
-    """One outline by surfmink_measure_*: `arguments` come before those that are the same for all surfaces."""
-    results, w, bad = Results(1, max_rank), _Functionals(), ctypes.c_size_t(0)
-    status = function(*arguments, max_rank, _at(results.mu), _at(results.g), ctypes.byref(w), ctypes.byref(bad))
-    _check(status, bad.value, n)
+_Functionals = collections.namedtuple("_Functionals", "area length turning curvature condition")
+
+
+class _Outlines:
+    """Corners with all that C wants to know of them: kind, corner, normal, n, radius."""
+
+    def __init__(self, kind, corner, normal=None, radius=1.0):
+        self.kind, self.corner, self.normal, self.radius = kind, corner, normal, radius
+
+    def __len__(self):
+        return len(self.corner)
+
+    def __getitem__(self, rows):
+        return _Outlines(self.kind, self.corner[rows], None if self.normal is None else self.normal[rows], self.radius)
+
+    def in_c(self):
+        return self.kind, _at(self.corner), _at(self.normal), len(self.corner), self.radius
+
+
+def _plane(corner):
+    return _Outlines(0, _doubles("corner", corner, 2))
+
+
+def _sphere(corner, radius):
+    return _Outlines(1, _doubles("corner", corner, 3), radius=radius)
+
+
+def _embedded(corner, normal):
+    return _Outlines(2, *_with_normals(corner, normal))
+
+
+def _one(n, max_rank, call):
+    """One outline, as call((mu, g, w), bad) measures it and returns a status."""
+    results, w, bad = Results(1, max_rank), np.empty(5), ctypes.c_size_t(0)
+    _check(call((_at(results.mu), _at(results.g), _at(w)), ctypes.byref(bad)), bad.value, n)
     _check(_library.surfmink_spectrum(_at(results.g), max_rank, None, None, _at(results.theta)))
-    results.w, results.L[0], results.S[0], results.area[0] = w, w.length, w.turning, w.area
+    results.w = _Functionals(*w)
+    results.L[0], results.S[0], results.area[0] = results.w.length, results.w.turning, results.w.area
     return results._of_one()
 
 
-def _many(corner, offset, max_rank, flat, call):
-    """Many by surfmink_batch_*, as call((offset, count), (max_rank, out, scratch)) does it. Outlines of more than 64
-    corners, unless flat, go faster with memory to work in."""
+def _measure(outlines, offset, max_rank):
+    """Outlines of more than 128 corners go faster with memory to work in."""
+    max_rank = _rank(max_rank)
+    offset = _offsets(offset, len(outlines))
+    if offset is None:
+        return _one(len(outlines), max_rank,
+                    lambda out, bad: _library.surfmink_flat_measure(*outlines.in_c(), max_rank, *out, bad))
     results = Results(offset.size - 1, max_rank)
     results._offset = offset
-    long = not flat and np.any(offset[1:] > offset[:-1] + np.uintp(64))
-    scratch = np.empty(2 * len(corner)) if long else None
-    call((_at(offset), offset.size - 1), (max_rank, ctypes.byref(results._addresses()), _at(scratch)))
+    scratch = np.empty(2 * len(outlines)) if np.any(offset[1:] > offset[:-1] + np.uintp(128)) else None
+    _library.surfmink_flat_batch(*outlines.in_c(), _at(offset), offset.size - 1, max_rank, *(_at(a) for a in (
+        results.status, results.bad, results.L, results.S, results.area, results.mu, results.g, results.theta,
+        scratch)))
     return results
 
 
@@ -368,8 +376,8 @@ def _each(one, corners, offset, max_rank, **more):
     results = Results(offset.size - 1, max_rank, **more)
     results._offset = offset
     for i in range(offset.size - 1):
-        if offset[i + 1] < offset[i] or offset[i + 1] > offset[-1]:
-            results.status[i] = STATUS_NAMES.index("bad_argument")
+        if offset[i + 1] < offset[i]:
+            results.status[i] = _BAD_ARGUMENT
             continue
         try:
             single = one(slice(int(offset[i]), int(offset[i + 1])))
@@ -386,32 +394,17 @@ def _each(one, corners, offset, max_rank, **more):
 
 def plane(corner, offset=None, max_rank=6):
     """Outlines of the plane. corner (N, 2)."""
-    corner, max_rank = _doubles("corner", corner, 2), _rank(max_rank)
-    offset = _offsets(offset, len(corner))
-    if offset is None:
-        return _one(_library.surfmink_measure_plane, len(corner), max_rank, (_at(corner), len(corner)))
-    return _many(corner, offset, max_rank, True,
-                 lambda which, rest: _library.surfmink_batch_plane(_at(corner), *which, *rest))
+    return _measure(_plane(corner), offset, max_rank)
 
 
 def sphere(corner, offset=None, radius=1.0, max_rank=6):
     """Outlines of great-circle arcs. corner (N, 3), of which only directions count; radius gives the unit of L."""
-    corner, max_rank = _doubles("corner", corner, 3), _rank(max_rank)
-    offset = _offsets(offset, len(corner))
-    if offset is None:
-        return _one(_library.surfmink_measure_sphere, len(corner), max_rank, (_at(corner), len(corner), radius))
-    return _many(corner, offset, max_rank, False,
-                 lambda which, rest: _library.surfmink_batch_sphere(_at(corner), *which, radius, *rest))
+    return _measure(_sphere(corner, radius), offset, max_rank)
 
 
 def embedded(corner, normal, offset=None, max_rank=6):
     """Outlines of straight chords on a surface in space. corner (N, 3), outer normals (N, 3) of any length."""
-    (corner, normal), max_rank = _with_normals(corner, normal), _rank(max_rank)
-    offset = _offsets(offset, len(corner))
-    if offset is None:
-        return _one(_library.surfmink_measure_embedded, len(corner), max_rank, (_at(corner), _at(normal), len(corner)))
-    return _many(corner, offset, max_rank, False,
-                 lambda which, rest: _library.surfmink_batch_embedded(_at(corner), _at(normal), *which, *rest))
+    return _measure(_embedded(corner, normal), offset, max_rank)
 
 
 class Surface:
@@ -483,78 +476,73 @@ def surface(surface, corner, offset=None, max_rank=6):
     corner, max_rank = _doubles("corner", corner, surface.stride), _rank(max_rank)
     offset = _offsets(offset, len(corner))
 
-    def function(*arguments):
-        return surface._call(_library.surfmink_measure_surface, *arguments)
-
     def one(rows):
         n = rows.stop - rows.start
-        scratch = np.empty(2 * n or 1)
-        return _one(function, n, max_rank, (_at(corner[rows]), n, _at(scratch)))
+        return _one(n, max_rank, lambda out, bad: surface._call(
+            _library.surfmink_flat_measure_surface, _at(corner[rows]), n, max_rank, *out, bad))
     return _each(one, len(corner), offset, max_rank)
 
 
 # --- smooth curves ----------------------------------------------------------------------------------------------------
 
-def _curve(function, arrays, radius, offset, max_rank, order, sharp):
-    """arrays: corners, and normals if there are any; radius: () where there is none."""
-    corners, max_rank, order = len(arrays[0]), _rank(max_rank), _order(order)
-    offset, sharp = _offsets(offset, corners), _sharp(sharp, corners)
+def _curve(outlines, offset, max_rank, order, sharp):
+    max_rank, order = _rank(max_rank), _order(order)
+    offset, sharp = _offsets(offset, len(outlines)), _sharp(sharp, len(outlines))
 
     def one(rows):
-        n = rows.stop - rows.start
-        error, scratch = np.empty(max_rank + 1), np.empty(8 * n or 1)
-        inputs = [_at(a[rows]) for a in arrays] + [None if sharp is None else _at(sharp[rows]), n]
+        these, error = outlines[rows], np.empty(max_rank + 1)
+        scratch = np.empty(12 * len(these) + 4 * (max_rank + 2))
+        flags = None if sharp is None else _at(sharp[rows])
 
-        def curve(rank, mu, *rest):
-            return function(*inputs, *radius, order, rank, _at(scratch), mu, _at(error), *rest)
-        results = _one(curve, n, max_rank, ())
+        def call(out, bad):
+            mu, *rest = out
+            return _library.surfmink_flat_curve(*these.in_c(), order, flags, max_rank, mu, _at(error), *rest,
+                                                _at(scratch), bad)
+        results = _one(len(these), max_rank, call)
         results.error = error
         return results
-    return _each(one, corners, offset, max_rank, error=(max_rank + 1,))
+    return _each(one, len(outlines), offset, max_rank, error=(max_rank + 1,))
 
 
 def curve_plane(corner, offset=None, max_rank=6, order=4, sharp=None):
     """Smooth curves of the plane. corner (N, 2) on the curve; sharp (N,) of bool, True where the curve itself has a
     corner; order 4, or 2 for the polygon. 20 corners or so for each bend. Outlines are measured one by one."""
-    return _curve(_library.surfmink_curve_plane, (_doubles("corner", corner, 2),), (), offset, max_rank, order, sharp)
+    return _curve(_plane(corner), offset, max_rank, order, sharp)
 
 
 def curve_sphere(corner, offset=None, radius=1.0, max_rank=6, order=4, sharp=None):
     """Smooth curves of the sphere. corner (N, 3), the rest as in sphere and curve_plane."""
-    return _curve(_library.surfmink_curve_sphere, (_doubles("corner", corner, 3),), (radius,), offset, max_rank, order,
-                  sharp)
+    return _curve(_sphere(corner, radius), offset, max_rank, order, sharp)
 
 
 def curve_embedded(corner, normal, offset=None, max_rank=6, order=4, sharp=None):
     """Smooth curves of a surface in space. corner (N, 3), normal (N, 3) exact ones, the rest as in curve_plane."""
-    return _curve(_library.surfmink_curve_embedded, _with_normals(corner, normal), (), offset, max_rank, order, sharp)
+    return _curve(_embedded(corner, normal), offset, max_rank, order, sharp)
 
 
 # --- gradients --------------------------------------------------------------------------------------------------------
 
-def _gradient(kind, arrays, radius, offset, max_rank, given):
-    """kind: of surface; arrays and radius as in _curve; given: as in _weights."""
-    corner, max_rank = arrays[0], _rank(max_rank)
-    offset = _offsets(offset, len(corner))
-    weights = _weights(given, max_rank, None if offset is None else offset.size - 1)
-    gradients = [np.full(a.shape, np.nan) for a in arrays]
-    scratch = np.empty(6 * len(corner) or 1)
-    inputs, outputs = [_at(a) for a in arrays], [_at(a) for a in gradients] + [_at(scratch)]
-
-    def single(rank, *measured_and_bad):
-        function = getattr(_library, "surfmink_gradient_" + kind)
-        *measured, bad = measured_and_bad
-        return function(*inputs, len(corner), *radius, rank, ctypes.byref(weights), *measured, *outputs, bad)
-
-    def batch(which, rest):
-        function = getattr(_library, "surfmink_batch_gradient_" + kind)
-        function(*inputs, *which, *radius, rest[0], ctypes.byref(weights), rest[1], *outputs)
-    if offset is None:
-        results = _one(single, len(corner), max_rank, ())
-    else:
-        results = _many(corner, offset, max_rank, True, batch)
-    results.by_corner, results.by_normal = gradients if len(gradients) == 2 else (gradients[0], None)
-    return results
+def _gradient(outlines, offset, max_rank, given):
+    """given: as in _weights."""
+    max_rank = _rank(max_rank)
+    offset = _offsets(offset, len(outlines))
+    ends = np.array([0, len(outlines)], dtype=np.uintp) if offset is None else offset
+    weights, shared = _weights(given, max_rank, None if offset is None else offset.size - 1)
+    results, w = Results(ends.size - 1, max_rank), np.full((ends.size - 1, 5), np.nan)
+    results._offset = ends
+    results.by_corner = np.full(outlines.corner.shape, np.nan)
+    results.by_normal = None if outlines.normal is None else np.full(outlines.normal.shape, np.nan)
+    scratch = np.empty(4 * len(outlines) + (2 * max_rank + 2) * (ends.size - 1) + 1)
+    _library.surfmink_flat_gradient(
+        *outlines.in_c(), _at(ends), ends.size - 1, max_rank, *(_at(a) for a in weights), shared, *(_at(a) for a in (
+            results.status, results.bad, results.mu, results.g, results.theta, w, results.by_corner, results.by_normal,
+            scratch)))
+    results.area, results.L, results.S = (w[:, k].copy() for k in range(3))
+    if offset is not None:
+        return results
+    _check(int(results.status[0]), int(results.bad[0]), len(outlines))
+    results.w = _Functionals(*w[0])
+    return results._of_one()
 
 
 def gradient_plane(corner, offset=None, max_rank=6, mu=None, g=None, theta=None, length=None):
@@ -564,64 +552,59 @@ def gradient_plane(corner, offset=None, max_rank=6, mu=None, g=None, theta=None,
     g             (P + 1,) complex: dE by the real and by the imaginary part of g_p
     length        a number: dE/dL
     With offset they are for all outlines; or all have an axis more in front, (count, P + 1) and (count,): of each."""
-    return _gradient("plane", (_doubles("corner", corner, 2),), (), offset, max_rank, (mu, g, theta, length))
+    return _gradient(_plane(corner), offset, max_rank, (mu, g, theta, length))
 
 
 def gradient_sphere(corner, offset=None, radius=1.0, max_rank=6, mu=None, g=None, theta=None, length=None):
     """The same as of sphere: by_corner (N, 3), orthogonal to the corners."""
-    return _gradient("sphere", (_doubles("corner", corner, 3),), (radius,), offset, max_rank, (mu, g, theta, length))
+    return _gradient(_sphere(corner, radius), offset, max_rank, (mu, g, theta, length))
 
 
 def gradient_embedded(corner, normal, offset=None, max_rank=6, mu=None, g=None, theta=None, length=None):
     """The same as of embedded: by_corner (N, 3) at fixed normals, and by_normal (N, 3), orthogonal to the normals.
     Where normals are a function of corners, add the derivative of that function times by_normal."""
-    return _gradient("embedded", _with_normals(corner, normal), (), offset, max_rank, (mu, g, theta, length))
+    return _gradient(_embedded(corner, normal), offset, max_rank, (mu, g, theta, length))
 
 
 # --- directions at the centre -----------------------------------------------------------------------------------------
 
-def _director(kind, arrays, radius, offset, max_rank):
-    corners, dimension, max_rank = len(arrays[0]), arrays[0].shape[1], _rank(max_rank)
-    offset = _offsets(offset, corners)
-    measure, edges, director = (getattr(_library, "surfmink_%s_%s" % (step, kind))
-                                for step in ("measure", "edges", "director"))
-    shapes = {"centre": (dimension,), "mean_normal": (dimension,), "direction": (max_rank + 1, dimension),
+def _director(outlines, offset, max_rank):
+    dimension, max_rank = outlines.corner.shape[1], _rank(max_rank)
+    offset = _offsets(offset, len(outlines))
+    shapes = {"centre": (dimension,), "mean_normal": (3,), "direction": (max_rank + 1, dimension),
               "coherence": (max_rank + 1,)}
-    if kind == "plane":
-        del shapes["mean_normal"]
-    written = [name for name in shapes if not (kind == "sphere" and name == "centre")]
 
     def one(rows):
-        n = rows.stop - rows.start
-        inputs = [_at(a[rows]) for a in arrays] + [n]
-        results = _one(measure, n, max_rank, (*inputs, *radius))
-        length, phase, bad = np.empty(n), np.empty(n), ctypes.c_size_t(0)
-        _check(edges(*inputs, *radius, _at(length), _at(phase), ctypes.byref(bad)), bad.value, n)
-        _check(_library.surfmink_phases(_at(phase), n, 0, _at(phase)))
-        for name in written:
-            setattr(results, name, np.empty(shapes[name]))
-        _check(director(*inputs, _at(length), _at(phase), _at(results.g), max_rank, _at(phase),
-                        *(_at(getattr(results, name)) for name in written)))
-        if kind == "sphere":
-            results.centre = radius[0] * results.mean_normal
+        these = outlines[rows]
+        centre, mean_normal = np.empty(3), np.empty(3)
+        direction, coherence = np.empty(shapes["direction"]), np.empty(max_rank + 1)
+        scratch = np.empty(2 * len(these) + 2 * max_rank + 2)
+        results = _one(len(these), max_rank, lambda out, bad: _library.surfmink_flat_director(
+            *these.in_c(), max_rank, *out, _at(centre), _at(mean_normal), _at(direction), _at(coherence), _at(scratch),
+            bad))
+        results.centre, results.direction, results.coherence = centre[:dimension], direction, coherence
+        if dimension == 3:
+            results.mean_normal = mean_normal
         return results
-    return _each(one, corners, offset, max_rank, **shapes)
+    if dimension == 2:
+        del shapes["mean_normal"]
+    return _each(one, len(outlines), offset, max_rank, **shapes)
 
 
 def director_plane(corner, offset=None, max_rank=6):
     """Measures as plane, and the directions of each outline at its centre, one for each rank. corner (N, 2). Outlines
     are measured one by one."""
-    return _director("plane", (_doubles("corner", corner, 2),), (), offset, max_rank)
+    return _director(_plane(corner), offset, max_rank)
 
 
 def director_sphere(corner, offset=None, radius=1.0, max_rank=6):
     """The same as of sphere: directions are orthogonal to mean_normal; the centre is at the radius."""
-    return _director("sphere", (_doubles("corner", corner, 3),), (radius,), offset, max_rank)
+    return _director(_sphere(corner, radius), offset, max_rank)
 
 
 def director_embedded(corner, normal, offset=None, max_rank=6):
     """The same as of embedded: directions are orthogonal to mean_normal."""
-    return _director("embedded", _with_normals(corner, normal), (), offset, max_rank)
+    return _director(_embedded(corner, normal), offset, max_rank)
 
 
 # --- helpers ----------------------------------------------------------------------------------------------------------

@@ -39,6 +39,7 @@ SEXP surfmink_r_batch(SEXP corner, SEXP normal, SEXP radius, SEXP offset, SEXP m
     R_xlen_t count = Rf_xlength(offset) - 1, i;
     int dimension, corners, rank = Rf_asInteger(max_rank), ranks;
     surfmink_results out = {0};
+    surfmink_outline all;
     SEXP list;
     size_t *at;
     if (!Rf_isReal(corner) || !Rf_isMatrix(corner)) Rf_error("corner is no matrix of numbers");
@@ -64,11 +65,12 @@ SEXP surfmink_r_batch(SEXP corner, SEXP normal, SEXP radius, SEXP offset, SEXP m
     out.theta = unknown(ranks, count, list, 5);
     for (i = 0; i < count; ++i) out.status[i] = SURFMINK_OK;
     if (dimension == 2)
-        surfmink_batch_plane(REAL(corner), at, (size_t)count, rank, &out, NULL);
+        all = surfmink_plane(REAL(corner), (size_t)corners);
     else if (Rf_isNull(normal))
-        surfmink_batch_sphere(REAL(corner), at, (size_t)count, Rf_asReal(radius), rank, &out, NULL);
+        all = surfmink_sphere(REAL(corner), (size_t)corners, Rf_asReal(radius));
     else
-        surfmink_batch_embedded(REAL(corner), REAL(normal), at, (size_t)count, rank, &out, NULL);
+        all = surfmink_embedded(REAL(corner), REAL(normal), (size_t)corners);
+    surfmink_batch(&all, at, (size_t)count, rank, &out, NULL);
     UNPROTECT(1);
     return list;
 }

@@ -10,7 +10,7 @@
 #include "../../surfmink.h"
 #include "../surfaces/mesh.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS  8
 #define LEVELS 9
@@ -37,6 +37,7 @@ static void measure(int base, int level, result *r, mesh *m, mesh_loops *loops)
 {
     mesh_error error;
     double *field, *length, *turning, *phase, g[2 * RANKS + 2], first;
+    surfmink_outline outline;
     size_t i, n;
     int status;
     if (mesh_sphere(m, base, level, &error) || mesh_connect(m, &error) || mesh_normals(m, &error))
@@ -54,8 +55,9 @@ static void measure(int base, int level, result *r, mesh *m, mesh_loops *loops)
     phase = turning + n;
     r->h = mesh_longest_edge(m);
     r->corners = n;
-    status = surfmink_measure_embedded(loops->corner, loops->normal, n, RANKS, r->mu, NULL, NULL, NULL);
-    if (status == SURFMINK_OK) status = surfmink_edges_embedded(loops->corner, loops->normal, n, length, turning, NULL);
+    outline = surfmink_embedded(loops->corner, loops->normal, n);
+    status = surfmink_measure(&outline, RANKS, r->mu, NULL, NULL, NULL);
+    if (status == SURFMINK_OK) status = surfmink_edges(&outline, length, turning, NULL);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
     first = turning[n - 1];
     memmove(turning + 1, turning, (n - 1) * sizeof *turning);
@@ -145,7 +147,7 @@ static void draw_mesh(plot *p, const mesh *m, const mesh_loops *loops, double le
         n[0] = a[1] * b[2] - a[2] * b[1];
         n[1] = a[2] * b[0] - a[0] * b[2];
         n[2] = a[0] * b[1] - a[1] * b[0];
-        if (plot__dot(n, view.toward) <= 0) continue;
+        if (dot(n, view.camera.eye) <= 0) continue;
         for (k = 0; k < 3; ++k) {
             plot_project(&view, corner[k], xy);
             fprintf(p->file, "%s%.1f %.1f", k ? " " : "M", xy[0], xy[1]);
@@ -157,7 +159,7 @@ static void draw_mesh(plot *p, const mesh *m, const mesh_loops *loops, double le
     plot_path(p, chain, loops->start[1], 1, outline, "none");
     if (loops->start[1] < 60)
         for (i = 0; i < loops->start[1]; ++i) plot_disc(p, chain[2 * i], chain[2 * i + 1], 1.8, plot_thin, "#ffffff");
-    plot_text(p, left + 100, top + 8, 11, "middle", title);
+    plot_text(p, left + 100, top + 8, 11, AT_MIDDLE, title);
     free(chain);
 }
 
@@ -172,11 +174,11 @@ static void draw_errors(plot *p, double left, const result *r, int first, int la
     guide[0] = 0.8;
     guide[1] = guide[0] * at[1] / at[0];
     plot_curve(p, &axes, at, guide, 2, slope, PLOT_NONE);
-    plot_text_as(p, plot_x(&axes, 0.022), plot_y(&axes, 0.05) - 11, 9, "middle", "#555555", 0, 0, "order 1");
+    plot_text_as(p, plot_x(&axes, 0.022), plot_y(&axes, 0.05) - 11, 9, AT_MIDDLE, "#555555", 0, 0, "order 1");
     guide[0] = 0.028;
     guide[1] = guide[0] * pow(at[1] / at[0], 2);
     plot_curve(p, &axes, at, guide, 2, slope, PLOT_NONE);
-    plot_text_as(p, plot_x(&axes, 0.1), plot_y(&axes, 0.0008), 9, "middle", "#555555", 0, 0, "order 2");
+    plot_text_as(p, plot_x(&axes, 0.1), plot_y(&axes, 0.0008), 9, AT_MIDDLE, "#555555", 0, 0, "order 2");
     for (p_ = 2; p_ <= 6; p_ += 2) {
         for (n = 0, level = first; level <= last; ++level, ++n) {
             h[n] = r[level].h;

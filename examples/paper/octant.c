@@ -9,7 +9,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS    6
 #define PIECES   30 /* that an edge is coloured with */
@@ -93,16 +93,16 @@ static void draw_panel(plot *p, double left, int transport, int rank, const char
             }
         }
     plot_letter(p, left + 6, 16, title);
-    plot_text(p, left + 88, 226, 11, "middle", value);
+    plot_text(p, left + 88, 226, 11, AT_MIDDLE, value);
 }
 
 /* Below the four panels. */
 static void draw_key(plot *p, double y)
 {
     plot_arrow(p, 70, y, 96, y, outwards);
-    plot_text(p, 104, y + 3.5, 10, "start", "outwards (co-normal)");
+    plot_text(p, 104, y + 3.5, 10, AT_START, "outwards (co-normal)");
     plot_arrow(p, 250, y, 276, y, eigenvector);
-    plot_text(p, 284, y + 3.5, 10, "start", "eigenvectors (positive eigenvalue)");
+    plot_text(p, 284, y + 3.5, 10, AT_START, "eigenvectors (positive eigenvalue)");
 }
 
 /* mu_3 and mu_4 over the place of the fiducial point on edge 0. Two of them are 1 everywhere: a thin line on a thick
@@ -145,13 +145,14 @@ static void draw_values(plot *p, const experiment *e, double left)
 int main(int argc, char **argv)
 {
     static printed t;
+    surfmink_outline octant = surfmink_sphere(corner, 3, 1.0);
     double mu[RANKS + 1], g[2 * RANKS + 2], low = 1, high = 0, u;
     char what[64];
     experiment e;
     plot p;
     int row, k;
     if (experiment_begin(&e, argc, argv, "octant") || plot_begin(&p, e.figure, 985, 262)) return 1;
-    experiment_need(surfmink_edges_sphere(corner, 3, 1.0, length, turning, NULL) == SURFMINK_OK, "the octant is fine");
+    experiment_need(surfmink_edges(&octant, length, turning, NULL) == SURFMINK_OK, "the octant is fine");
     printed_read(&t, &e, "triangle90.tsv");
     puts("The octant under parallel transport to a point at a fraction u of an edge: mu_p computed / reference");
     for (row = 0; row < t.rows; ++row) {

@@ -8,7 +8,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS  6
 #define PIECES 24 /* points that an edge is drawn with */
@@ -36,8 +36,8 @@ static void draw(plot *p, const surfmink_surface *sphere, const double *corner, 
     }
     plot_ticks(p, &axes, 1, 1, "");
     plot_bars(p, &axes, mu, 1, RANKS, 10);
-    plot_text(p, axes.left - 18, axes.top + 34, 11, "middle", "$\\mu_p$");
-    plot_text(p, axes.left + axes.width + 8, axes.top + 71, 10, "start", "$p$");
+    plot_text(p, axes.left - 18, axes.top + 34, 11, AT_MIDDLE, "$\\mu_p$");
+    plot_text(p, axes.left + axes.width + 8, axes.top + 71, 10, AT_START, "$p$");
     snprintf(name, sizeof name, "(%c)  %d corners", 'a' + n - 3, n);
     plot_letter(p, left + 8, 14, name);
 }
@@ -45,7 +45,8 @@ static void draw(plot *p, const surfmink_surface *sphere, const double *corner, 
 int main(int argc, char **argv)
 {
     double radius = 1, centre[3] = {0.47, 0.33, 0.82}, corner[3 * 6], mu[RANKS + 1];
-    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_surface sphere = surfmink_sphere_surface(&radius);
+    surfmink_outline outline;
     char what[32];
     experiment e;
     plot p;
@@ -60,8 +61,8 @@ int main(int argc, char **argv)
     }
     for (n = 3; n <= 6; ++n) {
         status = surfmink_regular_polygon(&sphere, centre, 0.85, 0.3, (size_t)n, corner);
-        if (status == SURFMINK_OK)
-            status = surfmink_measure_sphere(corner, (size_t)n, radius, RANKS, mu, NULL, NULL, NULL);
+        outline = surfmink_sphere(corner, (size_t)n, radius);
+        if (status == SURFMINK_OK) status = surfmink_measure(&outline, RANKS, mu, NULL, NULL, NULL);
         experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
         printf("\n%7d", n);
         fprintf(e.table, "\n%d", n);

@@ -12,7 +12,7 @@
 #include "../../surfmink.h"
 #include "experiment.h"
 #include "flower.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS        12
 #define LEVELS       6 /* q = 256 ... 8192 */
@@ -22,9 +22,10 @@
 static void measure(const flower_exact *exact, size_t q, double *mu)
 {
     static double corner[3 * MOST_CORNERS], normal[3 * MOST_CORNERS];
+    surfmink_outline outline = surfmink_embedded(corner, normal, q);
     int status;
     flower_polygon(exact, q, corner, normal);
-    status = surfmink_measure_embedded(corner, normal, q, RANKS, mu, NULL, NULL, NULL);
+    status = surfmink_measure(&outline, RANKS, mu, NULL, NULL, NULL);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
 }
 
@@ -56,11 +57,11 @@ static void draw_cell(plot *p, const flower *curve, const double *mu, double lef
     plot_repeat(p, "body", view.x, view.y);
     for (i = 0; i < 180; ++i) flower_point(curve, 2 * PI * i / 180, x + 3 * i, normal, d, dd);
     plot_curve_on(p, &view, plot_in_ellipsoid, curve->axis, 3.6, x, 180, 1, line, hidden);
-    plot_text(p, view.x, top + 8, 10, "middle", title);
+    plot_text(p, view.x, top + 8, 10, AT_MIDDLE, title);
     plot_ticks(p, &axes, 1, 0.2, "");
     plot_bars(p, &axes, mu, 2, 10, 8);
-    plot_text(p, axes.left + axes.width + 7, top + 159, 9, "middle", "$p$");
-    if (first) plot_text_as(p, left - 9, top + 124, 11, "middle", "#000000", 0, 1, "$\\mu_p$");
+    plot_text(p, axes.left + axes.width + 7, top + 159, 9, AT_MIDDLE, "$p$");
+    if (first) plot_text_as(p, left - 9, top + 124, 11, AT_MIDDLE, "#000000", 0, 1, "$\\mu_p$");
 }
 
 int main(int argc, char **argv)

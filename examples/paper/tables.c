@@ -16,7 +16,7 @@
 #include "../surfaces/ellipsoid.h"
 #include "experiment.h"
 #include "flower.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define LEVELS       9 /* q = 4 << level */
 #define MOST_CORNERS (4 << (LEVELS - 1))
@@ -54,21 +54,20 @@ static double phase_error(const flower_exact *exact, const double *phase, size_t
 /* The errors of one polygon of q corners. */
 static void measure(const flower_exact *exact, enum edges edges, size_t q, double *error)
 {
-    static double corner[3 * MOST_CORNERS], normal[3 * MOST_CORNERS], scratch[2 * MOST_CORNERS];
+    static double corner[3 * MOST_CORNERS], normal[3 * MOST_CORNERS];
     static double length[MOST_CORNERS], turning[MOST_CORNERS], late[MOST_CORNERS], phase[MOST_CORNERS];
     double smooth[2 * RANK + 2], middle[2 * RANK + 2], g[2 * RANK + 2];
     surfmink_implicit body = surfmink_ellipsoid(exact->curve.axis);
     surfmink_surface surface = surfmink_implicit_surface(&body);
+    surfmink_outline outline = surfmink_sphere(corner, q, 1.0);
     surfmink_functionals w;
     size_t i;
-    int status = SURFMINK_OK;
+    int status;
     flower_polygon(exact, q, corner, normal);
-    switch (edges) {
-    case GREAT_CIRCLES: status = surfmink_edges_sphere(corner, q, 1.0, length, turning, NULL); break;
-    case CHORDS: status = surfmink_edges_embedded(corner, normal, q, length, turning, NULL); break;
-    case GEODESICS: status = surfmink_edges_surface(&surface, corner, q, scratch, length, turning, NULL); break;
-    }
-    if (status == SURFMINK_OK) status = surfmink_total(length, turning, q, &w);
+    if (edges == CHORDS) outline = surfmink_embedded(corner, normal, q);
+    if (edges == GEODESICS) outline = surfmink_on_surface(&surface, corner, q);
+    status = surfmink_edges(&outline, length, turning, NULL);
+    if (status == SURFMINK_OK) status = surfmink_total(&outline, length, turning, q, &w);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
     flower_components(exact, 0, RANK, smooth);
     flower_components(exact, flower_time(exact, exact->length / (2 * (double)q)), RANK, middle);
@@ -213,7 +212,7 @@ static void draw_slope(plot *p, const plot_axes *axes, double start, int slope)
     error[1] = start * pow(q[0] / q[1], slope);
     plot_curve(p, axes, q, error, 2, pen, PLOT_NONE);
     snprintf(label, sizeof label, "order %d", slope);
-    plot_text_as(p, plot_x(axes, 420), plot_y(axes, start * pow(q[0] / 420, slope)) - 5, 9, "start", "#555555", 0, 0,
+    plot_text_as(p, plot_x(axes, 420), plot_y(axes, start * pow(q[0] / 420, slope)) - 5, 9, AT_START, "#555555", 0, 0,
                  label);
 }
 

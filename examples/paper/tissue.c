@@ -11,7 +11,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS        6
 #define MOST_CELLS   400
@@ -24,11 +24,6 @@ typedef struct cell {
     double middle[3], up[3]; /* mean of the corners, and of the normals */
     surfmink_functionals w;
 } cell;
-
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 static void unit(double *v)
 {
@@ -66,12 +61,17 @@ static int read_tissue(const experiment *e, cell *cells)
     return count;
 }
 
+static surfmink_outline outline_of(const cell *c)
+{
+    return surfmink_embedded(c->corner, c->normal, c->n);
+}
+
 static void measure(cell *c)
 {
+    surfmink_outline outline = outline_of(c);
     size_t i;
-    int k, status = surfmink_measure_embedded(c->corner, c->normal, c->n, RANKS, c->mu, c->g, &c->w, NULL);
-    if (status == SURFMINK_OK)
-        status = surfmink_edges_embedded(c->corner, c->normal, c->n, c->length, c->turning, NULL);
+    int k, status = surfmink_measure(&outline, RANKS, c->mu, c->g, &c->w, NULL);
+    if (status == SURFMINK_OK) status = surfmink_edges(&outline, c->length, c->turning, NULL);
     if (status == SURFMINK_OK) status = surfmink_phases(c->turning, c->n, SURFMINK_CORRECTED, c->phase);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
     for (k = 0; k < 3; ++k) {
@@ -88,9 +88,7 @@ static void measure(cell *c)
 static void carry(const double a[3], const double b[3], const double v[3], double out[3])
 {
     double turn[3], cosine = dot(a, b), along;
-    turn[0] = a[1] * b[2] - a[2] * b[1];
-    turn[1] = a[2] * b[0] - a[0] * b[2];
-    turn[2] = a[0] * b[1] - a[1] * b[0];
+    cross(a, b, turn);
     along = dot(turn, v) / (1 + cosine);
     out[0] = cosine * v[0] + turn[1] * v[2] - turn[2] * v[1] + along * turn[0];
     out[1] = cosine * v[1] + turn[2] * v[0] - turn[0] * v[2] + along * turn[1];
@@ -101,11 +99,12 @@ static void carry(const double a[3], const double b[3], const double v[3], doubl
    averaged as p-fold directions, weighted with the lengths of the edges. Returns how much they agree, in [0, 1]. */
 static double centre_directions(const cell *c, int p, double *direction)
 {
+    surfmink_outline outline = outline_of(c);
     double frame[9], nu[3], tau[3], e1[3], e2[3], re = 0, im = 0, psi;
     size_t i;
     int k, n;
     for (i = 0; i < c->n; ++i) {
-        surfmink_frame_embedded(c->corner, c->normal, c->n, i, frame);
+        surfmink_frame(&outline, i, frame);
         carry(frame + 6, c->up, frame, nu);
         carry(frame + 6, c->up, frame + 3, tau);
         if (i == 0)
@@ -154,7 +153,8 @@ static void draw_vector(plot *p, const plot_view *view, const double *from, cons
 static void draw_cell(plot *p, const cell *c, int rank, double x, double y)
 {
     static const double origin[3] = {0, 0, 0};
-    plot_pen outline = {"#009e73", 1.7, ""}, small = {"#7b3294", 1, ""}, large = {"#000000", 1.7, ""};
+    plot_pen rim = {"#009e73", 1.7, ""}, small = {"#7b3294", 1, ""}, large = {"#000000", 1.7, ""};
+    surfmink_outline outline = outline_of(c);
     double toward[3], at[3], frame[9], arrow[3 * RANKS], size = c->w.length / 2.9;
     plot_view view;
     size_t i;
@@ -163,11 +163,11 @@ static void draw_cell(plot *p, const cell *c, int rank, double x, double y)
     unit(toward);
     for (k = 0; k < 3; ++k) toward[k] = cos(0.6) * c->up[k] - sin(0.6) * toward[k];
     view = plot_look(atan2(toward[1], toward[0]) * 180 / PI, asin(toward[2]) * 180 / PI, x, y, 92 / size);
-    draw_outline(p, &view, c, c->middle, outline, "#eef7f3");
+    draw_outline(p, &view, c, c->middle, rim, "#eef7f3");
     for (i = 0; i < c->n; ++i) {
         const double *next = c->corner + 3 * ((i + 1) % c->n);
         for (k = 0; k < 3; ++k) at[k] = (c->corner[3 * i + (size_t)k] + next[k]) / 2 - c->middle[k];
-        surfmink_frame_embedded(c->corner, c->normal, c->n, i, frame);
+        surfmink_frame(&outline, i, frame);
         if (rank == 0) {
             for (k = 0; k < 3; ++k) at[k] = c->corner[3 * i + (size_t)k] - c->middle[k];
             draw_vector(p, &view, at, c->normal + 3 * i, 0.33 * size, small);
@@ -197,14 +197,14 @@ static void draw(const experiment *e, const cell *cells, int count, const cell *
     if (plot_begin(&p, e->figure, 780, 655)) exit(1);
     plot_letter(&p, 8, 20, "(a)");
     for (i = 0; i < count; ++i)
-        if (dot(cells[i].up, view->toward) > 0.02)
+        if (dot(cells[i].up, view->camera.eye) > 0.02)
             draw_outline(&p, view, &cells[i], origin, thin, plot_ramp(cells[i].mu[6], colour));
     for (k = 0; k < 3; ++k) draw_outline(&p, view, chosen[k], origin, thick, "none");
     for (k = 0; k < 3; ++k) {
         plot_project(view, chosen[k]->middle, xy);
         plot_disc(&p, xy[0], xy[1], 7.5, plot_thin, "#ffffff");
         snprintf(name, sizeof name, "%d", k + 1);
-        plot_text_as(&p, xy[0], xy[1] + 4, 11, "middle", "#000000", 1, 0, name);
+        plot_text_as(&p, xy[0], xy[1] + 4, 11, AT_MIDDLE, "#000000", 1, 0, name);
     }
     plot_scale(&p, 502, 60, 12, 120, "$\\mu_6$");
     plot_letter(&p, 550, 20, "(b)");
@@ -212,23 +212,23 @@ static void draw(const experiment *e, const cell *cells, int count, const cell *
         plot_axes axes = {620, 22.0 + 76 * k, 130, 50, {0, 1}, {0, 1}, {0, 0}};
         plot_ticks(&p, &axes, 1, 0.5, "");
         plot_bars(&p, &axes, chosen[k]->mu, 2, RANKS, 9);
-        plot_text(&p, 580, axes.top + 30, 11, "middle", "$\\mu_p$");
-        plot_text(&p, 760, axes.top + 60, 9, "middle", "$p$");
+        plot_text(&p, 580, axes.top + 30, 11, AT_MIDDLE, "$\\mu_p$");
+        plot_text(&p, 760, axes.top + 60, 9, AT_MIDDLE, "$p$");
         snprintf(name, sizeof name, "%d", k + 1);
         plot_disc(&p, 562, axes.top + 26, 7.5, plot_thin, "#ffffff");
-        plot_text_as(&p, 562, axes.top + 30, 11, "middle", "#000000", 1, 0, name);
+        plot_text_as(&p, 562, axes.top + 30, 11, AT_MIDDLE, "#000000", 1, 0, name);
     }
     plot_letter(&p, 8, 270, "(c)");
     for (k = 0; k < 3; ++k) {
         double y = 345.0 + 122 * k;
         snprintf(name, sizeof name, "%d", k + 1);
         plot_disc(&p, 18, y, 7.5, plot_thin, "#ffffff");
-        plot_text_as(&p, 18, y + 4, 11, "middle", "#000000", 1, 0, name);
+        plot_text_as(&p, 18, y + 4, 11, AT_MIDDLE, "#000000", 1, 0, name);
         for (n = 0; n <= RANKS; ++n)
             if (n != 1) draw_cell(&p, chosen[k], n, 88 + 124.0 * (n ? n - 1 : 0), y);
     }
     for (n = 0; n <= RANKS; ++n)
-        if (n != 1) plot_text(&p, 88 + 124.0 * (n ? n - 1 : 0), 278, 11, "middle", column[n]);
+        if (n != 1) plot_text(&p, 88 + 124.0 * (n ? n - 1 : 0), 278, 11, AT_MIDDLE, column[n]);
     if (plot_end(&p)) exit(1);
 }
 
@@ -239,7 +239,7 @@ int main(int argc, char **argv)
     static cell cells[MOST_CELLS];
     const cell *chosen[3] = {NULL, NULL, NULL};
     plot_view view = plot_look(-62, 24, 255, 130, 2.1);
-    double curvature = 0, frame[9], arrow[3 * RANKS], home[3], there[3 * RANKS], off = 0, coherence;
+    double curvature = 0, frame[9], arrow[3 * RANKS], there[3 * RANKS], off = 0, coherence;
     experiment e;
     int count, i, k, n, edge, p;
     if (experiment_begin(&e, argc, argv, "tissue")) return 1;
@@ -256,7 +256,7 @@ int main(int argc, char **argv)
         for (p = 2; p <= RANKS; ++p) fprintf(e.table, "\t%.6f", centre_directions(&cells[i], p, arrow));
         fputc('\n', e.table);
         for (k = 0; k < 3; ++k)
-            if (dot(cells[i].up, view.toward) > 0.75 && (!chosen[k] || cells[i].mu[by[k]] > chosen[k]->mu[by[k]]))
+            if (dot(cells[i].up, view.camera.eye) > 0.75 && (!chosen[k] || cells[i].mu[by[k]] > chosen[k]->mu[by[k]]))
                 chosen[k] = &cells[i];
     }
     printf("Three of %d cells of a tissue on an ellipsoid\n", count);
@@ -276,14 +276,14 @@ int main(int argc, char **argv)
         for (p = 2; p <= RANKS; ++p)
             for (edge = 0; edge <= (int)chosen[k]->n; ++edge) {
                 const cell *c = chosen[k];
+                surfmink_outline outline = outline_of(c);
                 size_t at = (size_t)edge % c->n;
-                surfmink_frame_embedded(c->corner, c->normal, c->n, 0, frame);
+                surfmink_frame(&outline, 0, frame);
                 surfmink_eigenvectors(c->g, p, -1, 0, frame, 3, arrow);
-                surfmink_frame_embedded(c->corner, c->normal, c->n, at, frame);
+                surfmink_frame(&outline, at, frame);
                 surfmink_eigenvectors(c->g, p, -1, c->phase[at], frame, 3, there);
-                surfmink_transport_vector(c->corner, c->normal, c->turning, c->n, 0, edge, SURFMINK_CORRECTED, arrow,
-                                          home);
-                for (n = 0; n < 3; ++n) off = fmax(off, fabs(home[n] - there[n]));
+                surfmink_transport_vector(&outline, c->turning, 0, edge, SURFMINK_CORRECTED, arrow);
+                for (n = 0; n < 3; ++n) off = fmax(off, fabs(arrow[n] - there[n]));
             }
     printf("eigenvectors at all edges against those carried there from edge 0: %.1e\n", off);
     experiment_near(&e, "eigenvectors carried along the outlines", off, 0, 1e-13);

@@ -10,7 +10,7 @@
 #include "../../surfmink.h"
 #include "../surfaces/torus.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define RANKS  6
 #define STEPS  170 /* over 1.7 pi */
@@ -31,14 +31,15 @@ static double spread(const double *value)
 static void measure(double theta2_over_pi, triangle *t)
 {
     surfmink_surface chart = surfmink_torus_chart(radius);
-    double scratch[6], phase[3], g[2 * RANKS + 2];
+    surfmink_outline outline = surfmink_on_surface(&chart, t->corner, 3);
+    double phase[3], g[2 * RANKS + 2];
     int status;
     t->corner[0] = 0;
     t->corner[1] = t->corner[5] = PI;
     t->corner[2] = 1.55;
     t->corner[3] = theta2_over_pi * PI;
     t->corner[4] = 3.1;
-    status = surfmink_edges_surface(&chart, t->corner, 3, scratch, t->length, t->turning, NULL);
+    status = surfmink_edges(&outline, t->length, t->turning, NULL);
     if (status == SURFMINK_OK) status = surfmink_phases(t->turning, 3, SURFMINK_CORRECTED, phase);
     if (status == SURFMINK_OK) status = surfmink_irreducible(t->length, phase, 3, RANKS, g);
     if (status == SURFMINK_OK) status = surfmink_spectrum(g, RANKS, NULL, t->mu, NULL);
@@ -137,7 +138,7 @@ static void draw_triangle(plot *p, double theta2_over_pi, double azimuth, double
         plot_disc(p, xy[0], xy[1], 2.6, plot_thin,
                   plot_hidden(&view, plot_in_torus, radius, 8, x) ? "#bbbbbb" : "#ffffff");
     }
-    plot_text(p, left + 92, top + 2, 11, "middle", title);
+    plot_text(p, left + 92, top + 2, 11, AT_MIDDLE, title);
 }
 
 static void draw(const experiment *e, const triangle *t, const double *theta)
@@ -162,10 +163,10 @@ static void draw(const experiment *e, const triangle *t, const double *theta)
     plot_frame(&p, &spreads, 0, 0.1, "$\\theta_2$", "spread of angles");
     for (k = 0; k <= 6; k += 2) {
         snprintf(name, sizeof name, "%d", k);
-        plot_text(&p, 635, plot_y(&lengths, k) + 3.5, 10, "start", name);
+        plot_text(&p, 635, plot_y(&lengths, k) + 3.5, 10, AT_START, name);
         plot_line(&p, 626, plot_y(&lengths, k), 630, plot_y(&lengths, k), plot_thin);
     }
-    plot_text_as(&p, 658, 470, 11, "middle", "#000000", 0, 1, "spread of lengths");
+    plot_text_as(&p, 658, 470, 11, AT_MIDDLE, "#000000", 0, 1, "spread of lengths");
     for (k = 0; k < 4; ++k) {
         plot_line(&p, plot_x(&values, marked[k]), 195, plot_x(&values, marked[k]), 385, dash);
         plot_line(&p, plot_x(&values, marked[k]), 415, plot_x(&values, marked[k]), 525, dash);

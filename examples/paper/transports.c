@@ -9,7 +9,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
 #include "experiment.h"
-#include "plot.h"
+#include "../picture/plot.h"
 
 #define CORNERS  5
 #define PER_EDGE 8 /* arrows */
@@ -108,6 +108,7 @@ int main(int argc, char **argv)
 {
     static const char *const transport_name[2] = {"corrected", "parallel"}; /* as in enum surfmink_transport */
     plot_pen parallel = {"#d55e00", 1.3, "3 2"}, corrected = {"#0072b2", 1.3, ""};
+    surfmink_outline outline;
     surfmink_functionals w;
     double phase[CORNERS], home, colour_at;
     char colour[8];
@@ -117,8 +118,9 @@ int main(int argc, char **argv)
     int i, t, k, status = SURFMINK_OK;
     if (experiment_begin(&e, argc, argv, "transports") || plot_begin(&p, e.figure, 720, 300)) return 1;
     for (i = 0; i < CORNERS; ++i) surfmink_from_lonlat(lonlat[2 * i], lonlat[2 * i + 1], 1.0, j.corner + 3 * i);
-    status = surfmink_edges_sphere(j.corner, CORNERS, 1.0, j.length, j.turning, NULL);
-    if (status == SURFMINK_OK) status = surfmink_measure_sphere(j.corner, CORNERS, 1.0, 0, NULL, NULL, &w, NULL);
+    outline = surfmink_sphere(j.corner, CORNERS, 1.0);
+    status = surfmink_edges(&outline, j.length, j.turning, NULL);
+    if (status == SURFMINK_OK) status = surfmink_total(&outline, j.length, j.turning, CORNERS, &w);
     experiment_need(status == SURFMINK_OK, surfmink_strerror(status));
     printf("A pentagon on the unit sphere: area = enclosed curvature = %.12f, S = %.12f\n", w.curvature, w.turning);
     fprintf(e.table, "transport\tedge\tphase\n");
@@ -139,8 +141,8 @@ int main(int argc, char **argv)
         plot_box(&p, 165 + 2.0 * i, 276, 2.3, 9, plot_no_line, plot_ramp(0.76 * colour_at, colour));
     }
     plot_box(&p, 165, 276, 120, 9, plot_thin, "none");
-    plot_text(&p, 158, 284, 10, "end", "start");
-    plot_text(&p, 292, 284, 10, "start", "after one turn");
+    plot_text(&p, 158, 284, 10, AT_END, "start");
+    plot_text(&p, 292, 284, 10, AT_START, "after one turn");
     plot_key(&p, 508, 280, parallel, PLOT_NONE, "parallel");
     plot_key(&p, 605, 280, corrected, PLOT_NONE, "corrected");
     return plot_end(&p) + experiment_end(&e) > 0;

@@ -138,7 +138,7 @@ static surfmink_surface surface_of(int kind, surfmink_implicit *implicit, double
 {
     surfmink_surface plane;
     *radius = 1;
-    if (kind == SPHERE) return surfmink_sphere(radius);
+    if (kind == SPHERE) return surfmink_sphere_surface(radius);
     if (kind == ELLIPSOID || kind == TORUS) {
         *implicit = kind == TORUS ? surfmink_torus(shape) : surfmink_ellipsoid(shape);
         return surfmink_implicit_surface(implicit);
@@ -148,6 +148,13 @@ static surfmink_surface surface_of(int kind, surfmink_implicit *implicit, double
     plane.log = plane_log;
     plane.exp = plane_exp;
     return plane;
+}
+
+/* The outline that is measured. */
+static surfmink_outline outline_of(int kind)
+{
+    if (kind == PLANE) return surfmink_plane(measured, count);
+    return kind == SPHERE ? surfmink_sphere(measured, count, 1) : surfmink_embedded(measured, normal, count);
 }
 
 static void normal_at(int kind, const surfmink_implicit *implicit, const double *x, double *n)
@@ -267,7 +274,7 @@ static int trace_outline(int kind, const surfmink_surface *surface, const surfmi
 
 /* --- does it cross itself? ---------------------------------------------------------------------------------------- */
 
-/* What surfmink_measure_* cannot tell on ellipsoid and torus, and not always elsewhere: two loops, one to each side,
+/* What surfmink_measure cannot tell on ellipsoid and torus, and not always elsewhere: two loops, one to each side,
    leave S and the area as they should be. Here every segment is held against every other.
    In flat coordinates (plane, and on the torus the angles, unwrapped): two segments cross if the ends of each lie on
    both sides of the other. On the sphere, and on the ellipsoid scaled to it, so do arcs. */
@@ -422,13 +429,14 @@ static void find_arrows(int kind, int n, int base)
 /* Co-normals of all edges in their middles, and the frame of the base. */
 static int find_feet(int n, int base)
 {
+    surfmink_outline drawn = surfmink_embedded(point, normal, points);
     double frame[9];
     size_t piece = 0, next;
     int i, k, e, status;
     for (i = 0; i < n; ++i) {
         e = (base + i) % n;
         if (i > 0) piece += traced[e].pieces / 2;
-        status = surfmink_frame_embedded(point, normal, points, piece, frame);
+        status = surfmink_frame(&drawn, piece, frame);
         if (status != SURFMINK_OK) return status;
         next = (piece + 1) % points;
         for (k = 0; k < 3; ++k) {
@@ -481,6 +489,7 @@ static void tilt(double *v, const double *n, const double *N)
    the angle a; so that is where the phase f would be read, and the mean is that of exp(i p (a - f)). */
 static void find_directors(int kind, int n, int base)
 {
+    const surfmink_outline drawn = surfmink_embedded(point, normal, points);
     const double *N = result.centre + 3;
     double sum[2 * RANK + 2] = {0}, frame[9], e1[3], e2[3], turn[2], power[2], tilted[3], angle, size;
     size_t i, k, edge;
@@ -489,7 +498,7 @@ static void find_directors(int kind, int n, int base)
     tilt(e1, result.base + 9, N);
     implicit__cross(N, e1, e2);
     for (i = 0; i < points; ++i) {
-        if (surfmink_frame_embedded(point, normal, points, i, frame) != SURFMINK_OK) continue;
+        if (surfmink_frame(&drawn, i, frame) != SURFMINK_OK) continue;
         if (!(1 + implicit__dot(frame + 6, N) > 1e-6)) continue; /* opposite: no smallest rotation */
         for (k = 0; k < 3; ++k) tilted[k] = point[3 * ((i + 1) % points) + k] - point[3 * i + k];
         size = implicit__norm(tilted);
@@ -530,6 +539,7 @@ static void clear_result(void)
 EXPORT(playground_measure) int playground_measure(int kind, int n, int base)
 {
     surfmink_implicit implicit;
+    surfmink_outline outline;
     surfmink_functionals w;
     double radius, g[2 * RANK + 2], mu[RANK + 1];
     surfmink_surface surface = surface_of(kind, &implicit, &radius);
@@ -549,16 +559,13 @@ EXPORT(playground_measure) int playground_measure(int kind, int n, int base)
     count = is_chord(kind) ? points : (size_t)n;
     for (i = 0; i < stride * count; ++i)
         measured[i] = is_chord(kind) ? point[i] : corner[3 * (((size_t)base + i / stride) % (size_t)n) + i % stride];
-    status = kind == PLANE    ? surfmink_measure_plane(measured, count, RANK, mu, g, &w, &bad)
-             : kind == SPHERE ? surfmink_measure_sphere(measured, count, radius, RANK, mu, g, &w, &bad)
-                              : surfmink_measure_embedded(measured, normal, count, RANK, mu, g, &w, &bad);
+    outline = outline_of(kind);
+    status = surfmink_measure(&outline, RANK, mu, g, &w, &bad);
     if (status != SURFMINK_OK) {
         result.bad = bad >= count ? -1 : is_chord(kind) ? edge_of[bad] : (double)(((size_t)base + bad) % (size_t)n);
         return status;
     }
-    status = kind == PLANE    ? surfmink_edges_plane(measured, count, length, turning, &bad)
-             : kind == SPHERE ? surfmink_edges_sphere(measured, count, radius, length, turning, &bad)
-                              : surfmink_edges_embedded(measured, normal, count, length, turning, &bad);
+    status = surfmink_edges(&outline, length, turning, &bad);
     if (status != SURFMINK_OK) return status;
     result.area = w.area;
     result.length = w.length;

@@ -4,7 +4,7 @@
    run       mpirun -n 64 ./mpi_cells mu.tsv --max-rank 12 cells.tsv
 
    The first argument is the file for the results, the others are those of `surfmink`: options, and one table. Results,
-   complaints and exit status are those of `surfmink --max-rank 12 cells.tsv > mu.tsv`, byte for byte, for any number of
+   refusals and exit status are those of `surfmink --max-rank 12 cells.tsv > mu.tsv`, byte for byte, for any number of
    ranks. --piece BYTES, before all else, is how much of the table a rank takes at a time (default 16 MiB).
 
    The table is cut into pieces, which the ranks take in turn; so all of them have work to the end, and memory does not
@@ -26,11 +26,12 @@
 
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"
+#include "../beyond/curve.h"
+#include "../beyond/director.h"
 
 #include "../command/options.h"
 #include "../command/read.h"
-#include "../command/repair.h"
-#include "../command/batch.h"
+#include "../command/parts.h"
 #include "../command/measure.h"
 #include "../command/write.h"
 #include "../command/refusal.h"
@@ -61,7 +62,7 @@ static struct {
     long long text_at; /* where in the file it begins */
     char *probe;       /* a copy, to be cut up */
     size_t probe_room;
-    polygon polygon;
+    polygon polygon, part;
     batch batch;
     measures measures;
     page rows, complaints;
@@ -158,8 +159,8 @@ static size_t first_begin(table *t)
             gap = 1;
             continue;
         }
-        id = t->id == nowhere ? "" : field_at(t, t->id, "id");
-        if (t->id == nowhere ? gap : last && strcmp(id, last) != 0) {
+        id = id_of_row(t);
+        if (t->columns.ids == 0 ? gap : last && strcmp(id, last) != 0) {
             free(last);
             return (size_t)(t->in->text - t->in->block);
         }
@@ -302,8 +303,7 @@ static void measure_lines(void)
         last_words = break_off;
         held_back.write = process_batch;
         while (next_of_table(&run.table, &run.polygon)) {
-            repair_polygon(&run.polygon, &run.options);
-            add_to_batch(&run.batch, &run.polygon);
+            add_parts(&run.batch, &run.polygon, &run.part, &run.options);
             if (is_full(&run.batch, run.options.max_rank)) write_held_back();
         }
         write_held_back();
@@ -389,7 +389,7 @@ static int go_round(long long first)
     run.table.has_row = 0;
     run.table.polygons = run.groups_before;
     run.table.polygons += (unsigned long)sum_before(
-        run.table.id == nowhere ? count_groups(run.in.block, run.in.end) : 0, &run.groups_before);
+        run.table.columns.ids == 0 ? count_groups(run.in.block, run.in.end) : 0, &run.groups_before);
     open_page(&run.rows);
     open_page(&run.complaints);
     measure_lines();
@@ -437,14 +437,17 @@ static void take_arguments(int argc, char **argv)
     if (argc < 3 || argv[1][0] == '-') usage_error("mpirun ... mpi_cells [--piece BYTES] RESULT [OPTION ...] TABLE");
     run.result_name = argv[1];
     run.table_name = run.options.file[0];
-    if (run.options.files != 1 || strcmp(run.table_name, "-") == 0 || ends_in_off(run.table_name))
+    current_file = run.table_name;
+    says_nothing = 1; /* notes are about what a run sees, and a rank sees only its pieces */
+    if (run.options.files != 1 || strcmp(run.table_name, "-") == 0 || is_named_mesh(run.table_name))
         usage_error("mpi_cells reads one table, from a file");
+    if (run.options.estimate_normals) usage_error("mpi_cells does not estimate normals: that takes the whole table");
     if (run.options.summary) usage_error("mpi_cells makes neither summaries nor pictures");
     for (i = 0; i < PICTURES; ++i)
         if (picture_file(&run.options, i)) usage_error("mpi_cells makes neither summaries nor pictures");
 }
 
-/* The first rank finds the columns, with all the complaints that this may lead to. */
+/* The columns. The first rank finds them first, with all the complaints that this may lead to. */
 static void find_head(void)
 {
     lines in;
@@ -452,8 +455,11 @@ static void find_head(void)
     open_lines(&in, run.table_name, &run.powers);
     if (fstat(fileno(in.file), &file) != 0 || !S_ISREG(file.st_mode)) die("%s: not a file", run.table_name);
     if (is_same_file(run.result_name, in.file, run.table_name)) die("%s: it is the result as well", run.table_name);
+    if (tell_kind(&in) != READS_TABLE) die("%s: not a table", run.table_name);
     read_header(&run.table, &in, &run.options);
-    if (run.options.radius > 0 && run.table.layout->surface != SPHERE)
+    if (run.table.by_columns || run.table.by_lines || run.table.columns.unnamed != nowhere)
+        die("%s: mpi_cells wants a line that names the columns, and an id by its name", run.table_name);
+    if (run.options.radius > 0 && run.table.columns.layout->surface != SPHERE)
         die("%s: --radius is for spheres, and this is none", run.table_name);
     run.size = (long long)file.st_size;
     run.head = (long long)lseek(fileno(in.file), 0, SEEK_CUR) - (long long)(in.end - in.next);
@@ -476,7 +482,6 @@ static void share_head(void)
         exit(EXIT_MEASURED); /* the first rank has its own status */
     }
     MPI_Bcast(found, 3, MPI_LONG_LONG, 0, MPI_COMM_WORLD);
-    MPI_Bcast(&run.table, (int)sizeof run.table, MPI_BYTE, 0, MPI_COMM_WORLD);
     run.head = found[0];
     run.size = found[1];
     run.lines_before = (unsigned long)found[2];
@@ -500,6 +505,8 @@ static void close_files(void)
     free(run.probe);
     free(run.in.field);
     free_polygon(&run.polygon);
+    free_polygon(&run.part);
+    free_table(&run.table);
     free_batch(&run.batch);
     end_measures(&run.measures);
 }
@@ -518,15 +525,19 @@ int main(int argc, char **argv)
         find_head();
     }
     share_head();
-    if (run.rank > 0) take_arguments(argc, argv);
-    run.table.layout = choose_layout(&run.table, run.options.surface);
+    if (run.rank > 0) {
+        unsigned long lines_before = run.lines_before;
+        take_arguments(argc, argv);
+        find_head();
+        run.lines_before = lines_before;
+    }
     begin_batch(&run.batch);
     begin_measures(&run.measures, run.options.max_rank);
     open_files();
 
     open_page(&names);
     if (run.rank == 0 && !run.options.json)
-        write_row(names.file, &run.options, &run.powers, NAMES, run.table.layout->surface, "", NULL);
+        write_row(names.file, &run.options, &run.powers, NAMES, run.table.columns.layout->surface, "", NULL);
     close_page(&names);
     write_rows(names.text, names.size);
     free(names.text);

@@ -5,83 +5,118 @@
 #   for part in 0 1 2 3; do sh part.sh $part 4 cells.tsv | surfmink > mu.$part & done; wait
 #
 # It seeks: a part reads little more than its share of the file, so it does not matter how large the rest is. TABLE has
-# to be a file. Part i begins at byte i / PARTS of it, or rather at the first outline that begins there: the lines are
-# followed from there until the id changes (without an id column: until a blank line). Where the next part begins is
-# found in the same way, so that neither needs to know of the other.
+# to be a file. Part i begins at byte i / PARTS of it, or rather at the first outline that begins there: awk follows the
+# lines from there until the id changes (without an id column: until a blank line). Where the next part begins is found
+# in the same way, so that neither needs to know of the other. What lies between is copied as bytes, by head -c.
 # COUNTS is a file for three numbers: lines up to that with the names, lines of the part, whether there is an id column.
-# Lines end with \n or \r\n. Fields in quotes are refused.
-part=$1 parts=$2 table=$3 counts=${4-/dev/null}
+# Separators, quotes, and which column is the id are as the command reads them. Lines end with \n or \r\n.
+part=$1 parts=$2 table=$3 counts=$4
+lone='lines end with \r alone'
 LC_ALL=C # awk counts bytes
 export LC_ALL
 complain() {
-    echo "part.sh: $1" >&2
+    printf 'part.sh: %s\n' "$1" >&2
     exit 1
 }
 [ "$part" -ge 0 ] && [ "$part" -lt "$parts" ] || complain "which part of how many? PART is 0 ... PARTS - 1"
 [ -f "$table" ] || complain "$table: not a file"
 
-# The names: their lines and bytes, what is between the fields, and which field is the id (0: none).
-names=$(awk '
+# Lines and their fields, as in examples/command/lines.h.
+lines='
+    function trim_end(text) { sub(/[ \t\v\f]+$/, "", text); return text }
+    function is_blank(line) { return line ~ /^[ \t\v\f]*$/ }
+    function is_comment(line) { return line ~ /^[ \t\v\f]*#/ }
+    # Without its \r; a lone \r within would be the end of a line, too.
+    function whole_line(line) {
+        sub(/\r$/, "", line)
+        if (index(line, "\r")) { lone = 1; exit }
+        return line
+    }
+    function split_line(line, separator, field,    n, at, text) {
+        if (separator == " ") line = trim_end(line)
+        for (n = 1;; ++n) {
+            sub(separator == "\t" ? "^ +" : "^[ \t\v\f]+", "", line)
+            if (separator == "," && substr(line, 1, 1) == "\"") {
+                line = substr(line, 2)
+                text = ""
+                while ((at = index(line, "\"")) && substr(line, at + 1, 1) == "\"") { # "" is one quote
+                    text = text substr(line, 1, at)
+                    line = substr(line, at + 2)
+                }
+                field[n] = at ? text substr(line, 1, at - 1) : text line
+                line = at ? substr(line, at + 1) : ""
+                at = index(line, ",")
+            } else {
+                at = separator == " " ? match(line, /[ \t\v\f]/) : index(line, separator)
+                field[n] = trim_end(at ? substr(line, 1, at - 1) : line)
+            }
+            if (!at) return n
+            line = substr(line, at + 1)
+        }
+    }'
+
+# The names: their lines and bytes, what is between the fields, and which field is the id (0: none), as in table.h.
+names=$(awk "$lines"'
     { bytes += length($0) + 1 }
     NR == 1 { sub(/^\357\273\277/, "") }
-    /^[ \t\v\f\r]*(#|$)/ { next }
+    { line = whole_line($0) }
+    is_blank(line) || is_comment(line) { next }
     {
-        sub(/\r$/, "")
-        separator = index($0, "\t") ? "tab" : index($0, ",") ? "comma" : "blank"
-        n = separator == "tab" ? split($0, name, "\t") : separator == "comma" ? split($0, name, ",") : split($0, name)
-        for (i = n; i >= 1; --i) {
-            gsub(/^[ \t\v\f]+|[ \t\v\f]+$/, "", name[i])
-            if (name[i] != "" && name[i] !~ /^(k|x|y|z|nx|ny|nz|lon|lat)$/) id = i
-        }
-        printf "%d %.0f %s %d\n", NR, bytes, separator, id
+        line = trim_end(line)
+        separator = index(line, "\t") ? "\t" : index(line, ",") ? "," : " "
+        for (i = split_line(line, separator, name); i >= 1; --i)
+            if (name[i] != "" && name[i] != "k" && (name[i] == "K" || tolower(name[i]) !~ /^(k|[xyz]|n[xyz]|lon|lat)$/))
+                id = i
+        word = separator == "\t" ? "tab" : separator == "," ? "comma" : "blank"
+        printf "%d %.0f %s %d\n", NR, bytes, word, id
         exit
-    }' "$table")
+    }
+    END { if (lone) print "lone" }' "$table")
 [ "$names" ] || complain "$table: no line names the columns"
+[ "$names" != lone ] || complain "$table: $lone"
 set -- $names
-lines=$1 head=$2 separator=$3 id=$4
+names=$1 head=$2 separator=$3 id=$4
 size=$(($(wc -c < "$table")))
-[ "$size" -ge "$head" ] || size=$head
-from=$((head + (size - head) * part / parts))
-to=$((head + (size - head) * (part + 1) / parts))
-[ "$to" -lt "$size" ] || to=$((size + 1)) # the last part ends with the file
+[ "$size" -ge "$head" ] || head=$size # a line of names without an end
 
-head -n "$lines" "$table"
-# Starting one byte early tells whether a line begins at `from`.
-[ "$part" -eq 0 ] || from=$((from - 1))
-tail -c +$((from + 1)) "$table" | awk -v at="$from" -v to="$to" -v whole="$((part == 0))" -v separator="$separator" \
-    -v id="$id" -v names="$lines" -v counts="$counts" '
-    # Does an outline begin with this line? Told by the lines since a boundary alone.
-    function begins(boundary, answer) {
-        answer = id ? seen[boundary] && is != last[boundary] : gap[boundary]
-        seen[boundary] = 1
-        last[boundary] = is
-        return answer
-    }
-    { here = at; at += length($0) + 1 }
-    NR == 1 && !whole { next }
-    {
-        if (separator == "comma" && index($0, "\"")) { quoted = 1; exit }
-        blank = /^[ \t\v\f\r]*$/
-        comment = /^[ \t\v\f]*#/
-        if (blank) gap["from"] = 1
-        if (blank && here >= to) gap["to"] = 1
-        if (!blank && !comment) {
+# cut PART: the byte at which this part begins. A line counts if it begins at PART / PARTS of the bytes or later: reading
+# starts one byte early, and what is up to the first end of a line does not count.
+cut() {
+    at=$((head + (size - head) * $1 / parts))
+    if [ "$1" -eq 0 ] || [ "$1" -eq "$parts" ]; then
+        echo "$at"
+        return
+    fi
+    tail -c +"$at" "$table" | awk -v at=$((at - 1)) -v separator="$separator" -v id="$id" -v size="$size" "$lines"'
+        BEGIN { separator = separator == "tab" ? "\t" : separator == "comma" ? "," : " " }
+        { here = at; at += length($0) + 1 }
+        NR == 1 { next }
+        {
+            line = whole_line($0)
+            if (is_blank(line)) gap = 1
+            if (is_blank(line) || is_comment(line)) next
             if (id) {
-                if (separator == "tab") split($0, field, "\t")
-                else if (separator == "comma") split($0, field, ",")
-                else split($0, field)
-                is = field[id]
-                gsub(/^[ \t\v\f\r]+|[ \t\v\f\r]+$/, "", is)
-            }
-            if (here >= to && begins("to")) exit
-            if (!whole) whole = begins("from")
+                delete field[id]
+                split_line(line, separator, field)
+                begins = seen && field[id] != last
+                seen = 1
+                last = field[id] ""
+            } else
+                begins = gap
+            if (begins) exit
         }
-        if (whole) { print; ++lines }
-    }
-    END {
-        printf "%d %d %d\n", names, lines, (id > 0) > counts
-        if (quoted) exit 3
-    }'
-status=$?
-[ "$status" -ne 3 ] || complain "$table: fields in quotes"
-exit "$status"
+        END { if (lone) print "lone"; else printf "%.0f\n", begins ? here : size }'
+}
+from=$(cut "$part")
+to=$(cut $((part + 1)))
+[ "$from" != lone ] && [ "$to" != lone ] || complain "$table: $lone"
+
+copy() { # dd moves the place in the file at which head begins
+    [ "$from" -ge "$to" ] || { dd bs=1 skip="$from" count=0 2> /dev/null; head -c $((to - from)); } < "$table"
+}
+# The last line of a file may lack its end. ($(...) drops a \n, and nothing else.)
+open=$([ "$from" -ge "$to" ] || [ "$to" -lt "$size" ] || tail -c 1 "$table")
+head -n "$names" "$table"
+copy
+[ -z "$open" ] || echo
+[ -z "$counts" ] || echo "$names $(($(copy | wc -l) + ${#open})) $((id > 0))" > "$counts"

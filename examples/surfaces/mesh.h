@@ -1,6 +1,7 @@
 /* mesh.h - triangle meshes and their level sets, for surfmink - MIT or public domain, as you like (see surfmink.h)
 
-   One header to copy beside surfmink.h, which it does not need. C99 and C++, only libc and libm.
+   Copy it with meshfile.h, which reads the files, beside surfmink.h, which it does not need. C99 and C++, only libc and
+   libm.
 
    WHAT IT DOES
      Reads a triangle mesh, and cuts it where a scalar on its vertices has a given value. Out come outlines as
@@ -9,15 +10,15 @@
    QUICK START
      mesh m;  mesh_error error;  mesh_loops loops;
      double *field = NULL;                                                 // one scalar per vertex
-     if (mesh_read(&m, "cell.off", &error) || mesh_connect(&m, &error) || mesh_normals(&m, &error) ||
-         mesh_read_field(&m, "height.txt", &field, &error) ||
+     if (mesh_read(&m, "cell.off", NULL, &error) || mesh_connect(&m, &error) || mesh_normals(&m, &error) ||
+         mesh_read_field(&m, "height.txt", &field, NULL, &error) ||
          mesh_level_set(&m, field, 0.5, MESH_BELOW, &loops, &error)) puts(error.text);
      for (k = 0; k < loops.loops; ++k)
          surfmink_measure_embedded(loops.corner + 3 * loops.start[k], loops.normal + 3 * loops.start[k],
                                    loops.start[k + 1] - loops.start[k], 6, mu, NULL, NULL, NULL);
 
    DATA FLOW (sections of this file, in order)
-     1 read      file -> vertices, triangles             OFF, OBJ, PLY (ascii); or mesh_sphere builds them
+     1 read      file -> vertices, triangles             every format of meshfile.h; or mesh_sphere builds them
      2 connect   triangles -> which edge meets which     refuses what is not an oriented surface
      3 normals   triangles -> unit normal per vertex     area-weighted
      4 level set field on the vertices -> loops          and the area of the part that they enclose
@@ -38,51 +39,26 @@
 #ifndef SURFMINK_MESH_H
 #define SURFMINK_MESH_H
 
-#include <float.h>
-#include <limits.h>
-#include <math.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-/* What may be wrong with a mesh. error.text says it in a sentence that begins with FILE:LINE. */
-enum mesh_status {
-    MESH_OK = 0,
-    MESH_NO_MEMORY = 1,
-    MESH_UNREADABLE = 2,    /* the file cannot be opened or read */
-    MESH_MALFORMED = 3,     /* a line is not what the format asks for; too few or too many of them */
-    MESH_NOT_TRIANGLES = 4, /* a face with more or fewer corners than 3 */
-    MESH_BAD_INDEX = 5,     /* a face names a vertex that is not there, or one of them twice */
-    MESH_TOO_LARGE = 6,     /* 2^32 half-edges or more */
-    MESH_NOT_MANIFOLD = 7,  /* an edge with more than two triangles: there is no surface there */
-    MESH_NOT_ORIENTED = 8,  /* two neighbours whose corners run the opposite way round */
-    MESH_NO_NORMAL = 9,     /* the triangles at a vertex have no area, or their normals cancel */
-    MESH_NOT_FINITE = 10,   /* a NaN or an infinity in a field or a level */
-    MESH_BAD_ARGUMENT = 11  /* a step was left out: connect, normals */
-};
-
-typedef struct mesh_error {
-    int status;
-    char text[512]; /* a long file name is cut short here */
-} mesh_error;
+#include "meshfile.h"
 
 typedef struct mesh {
     size_t vertices, triangles;
     double *vertex;        /* 3 per vertex: x y z */
     uint32_t *triangle;    /* 3 per triangle: numbers of its vertices */
-    uint32_t *line;        /* 1 per triangle: where the file has it; NULL if it comes from no file */
+    unsigned long *line;   /* 1 per triangle: where the file has it, 0 in binary files; NULL if it is from no file */
     char *name;            /* the file; NULL if there is none */
-    uint32_t *twin;        /* from mesh_connect: the half-edge on the other side, or MESH_NONE at the boundary */
-    size_t edges;          /* from mesh_connect */
-    size_t boundary_edges; /* from mesh_connect: 0 for a closed mesh */
-    size_t pinched;        /* from mesh_connect: vertices where sheets touch that share no edge; harmless to loops, but
+    double *field;         /* 1 per vertex: the scalar asked for of the file; NULL if there is none */
+    uint32_t *joint;       /* from mesh_read, 1 per vertex: itself, or the first of its copies, which triangles have */
+    int ignored;           /* from mesh_read: the file has normals that contradict its faces, or each other */
+    size_t joined, turned; /* from mesh_read: vertices that are copies; faces that were turned round, */
+    unsigned long first_turned; /* and the line of the first of them */
+    uint32_t *twin;             /* from mesh_connect: the half-edge on the other side, or MESH_NONE at the boundary */
+    size_t edges;               /* from mesh_connect */
+    size_t boundary_edges;      /* from mesh_connect: 0 for a closed mesh */
+    size_t pinched; /* from mesh_connect: vertices where sheets touch that share no edge; harmless to loops, but
                               the normal there is a mean over the sheets */
-    double *normal;        /* from mesh_normals: 3 per vertex, of unit length; 0 at a vertex without triangles */
+    double *normal; /* from mesh_normals, or the file: 3 per vertex, of unit length; 0 at one without triangles */
 } mesh;
-
-#define MESH_NONE UINT32_MAX
 
 enum mesh_inside { MESH_BELOW = 0, MESH_ABOVE = 1 };
 
@@ -99,30 +75,6 @@ typedef struct mesh_loops {
 
 enum mesh_base { MESH_ICOSAHEDRON = 20, MESH_OCTAHEDRON = 8 };
 
-/* Notes down what is wrong and returns the status. line = 0: the file as a whole. */
-static inline int mesh__fail(mesh_error *error, int status, const char *name, size_t line, const char *format, ...)
-{
-    va_list arguments;
-    char where[256];
-    size_t used;
-    if (!error) return status;
-    error->status = status;
-    if (name && line)
-        snprintf(where, sizeof where, "%.220s:%lu: ", name, (unsigned long)line);
-    else if (name)
-        snprintf(where, sizeof where, "%.220s: ", name);
-    else
-        where[0] = 0;
-    used = strlen(where);
-    memcpy(error->text, where, used + 1);
-    va_start(arguments, format);
-    vsnprintf(error->text + used, sizeof error->text - used, format, arguments);
-    va_end(arguments);
-    for (; error->text[used]; ++used) /* what is quoted shall not command a terminal */
-        if ((unsigned char)error->text[used] < ' ' || error->text[used] == 0x7f) error->text[used] = '?';
-    return status;
-}
-
 /* Gives the arrays back and leaves an empty mesh. */
 static inline void mesh_free(mesh *m)
 {
@@ -130,6 +82,8 @@ static inline void mesh_free(mesh *m)
     free(m->triangle);
     free(m->line);
     free(m->name);
+    free(m->field);
+    free(m->joint);
     free(m->twin);
     free(m->normal);
     memset(m, 0, sizeof *m);
@@ -137,410 +91,341 @@ static inline void mesh_free(mesh *m)
 
 /* --- 1. read: file -> vertices, triangles ------------------------------------------------------------------------- */
 
-typedef struct mesh__reader {
-    FILE *file;
-    const char *name;
-    char *text; /* the line as it is being read, of room bytes */
-    size_t line, room;
-    int again; /* the next line is this one: it has been looked at to tell the format */
-    mesh_error *error;
-} mesh__reader;
-
-enum { MESH__LONGEST_LINE = 1 << 26 };
-
-/* The array with room for at least one more item, or NULL if there is no memory: then it is as before. */
-static inline void *mesh__grow(void *array, size_t used, size_t *room, size_t bytes)
+static inline double mesh__length(const double x[3])
 {
-    size_t more = *room ? 2 * *room : 64;
-    void *grown;
-    if (used < *room) return array;
-    if (more > SIZE_MAX / 2 / bytes) return NULL;
-    grown = realloc(array, more * bytes);
-    if (grown) *room = more;
-    return grown;
+    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
-static inline int mesh__no_memory(mesh_error *error, const char *name)
+/* A face on its way to triangles: its corners in a ring, seen along its area vector. */
+typedef struct mesh__ring {
+    const mesh_file *f;
+    size_t begin, count;
+    double area[3];
+    size_t *next, *last, *reflex; /* reflex: the corners that turn to the right, none of which may lie in an ear */
+    size_t reflexes;
+} mesh__ring;
+
+static inline const double *mesh__place(const mesh__ring *ring, size_t i)
 {
-    mesh__fail(error, MESH_NO_MEMORY, name, 0, "out of memory");
-    return MESH_NO_MEMORY;
+    return ring->f->vertex + 3 * (size_t)ring->f->corner[ring->begin + i];
 }
 
-/* A complaint about the line at hand, which quotes what stands there (cut short). */
-static inline int mesh__malformed(const mesh__reader *r, const char *wanted, const char *found)
+/* Twice the area of the triangle, positive if it runs the way of the face. */
+static inline double mesh__side(const mesh__ring *ring, size_t i, size_t j, size_t k)
 {
-    size_t length = strcspn(found += strspn(found, " \t\r\n"), "\r\n");
-    if (!length) return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "expected %s, the line ends", wanted);
-    return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "expected %s, got '%.*s'", wanted,
-                      length < 40 ? (int)length : 40, found);
+    const double *a = mesh__place(ring, i), *b = mesh__place(ring, j), *c = mesh__place(ring, k);
+    double u[3], v[3];
+    int x;
+    for (x = 0; x < 3; ++x) u[x] = b[x] - a[x], v[x] = c[x] - a[x];
+    return (u[1] * v[2] - u[2] * v[1]) * ring->area[0] + (u[2] * v[0] - u[0] * v[2]) * ring->area[1] +
+           (u[0] * v[1] - u[1] * v[0]) * ring->area[2];
 }
 
-/* The next line with something on it, comments (from # on) blanked out if there may be any. *got = 0 at the end. */
-static inline int mesh__line(mesh__reader *r, int comments, int *got)
+/* Can corner i be cut off, with its neighbours, as a triangle? */
+static inline int mesh__is_ear(const mesh__ring *ring, size_t i)
 {
-    *got = 1;
-    if (r->again) {
-        r->again = 0;
-        return MESH_OK;
+    size_t a = ring->last[i], c = ring->next[i], k;
+    if (!(mesh__side(ring, a, i, c) > 0)) return 0;
+    for (k = 0; k < ring->reflexes; ++k) {
+        size_t p = ring->reflex[k];
+        if (p == a || p == i || p == c) continue;
+        if (mesh__side(ring, a, i, p) >= 0 && mesh__side(ring, i, c, p) >= 0 && mesh__side(ring, c, a, p) >= 0)
+            return 0;
     }
-    for (;;) {
-        size_t used = 0;
-        int c;
-        while ((c = getc(r->file)) != EOF) {
-            void *grown = mesh__grow(r->text, used + 1, &r->room, 1);
-            if (!grown) return mesh__no_memory(r->error, r->name);
-            r->text = (char *)grown;
-            if (c == '\n') break;
-            if (used == MESH__LONGEST_LINE)
-                return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line + 1,
-                                  "more than 64 MiB without the end of a line");
-            if (c == 0)
-                return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line + 1, "a zero byte: not a text file");
-            r->text[used++] = (char)c;
-        }
-        if (c == EOF && ferror(r->file)) return mesh__fail(r->error, MESH_UNREADABLE, r->name, 0, "cannot be read");
-        if (c == EOF && !used) {
-            *got = 0;
-            return MESH_OK;
-        }
-        ++r->line;
-        r->text[used] = 0;
-        if (r->line == 1 && !strncmp(r->text, "\xef\xbb\xbf", 3)) memcpy(r->text, "   ", 3); /* a byte order mark */
-        if (comments) r->text[strcspn(r->text, "#")] = 0;
-        if (r->text[strspn(r->text, " \t\r")]) return MESH_OK;
+    return 1;
+}
+
+static inline double mesh__diagonal(const mesh__ring *ring, size_t i)
+{
+    const double *a = mesh__place(ring, ring->last[i]), *c = mesh__place(ring, ring->next[i]);
+    double d[3];
+    int k;
+    for (k = 0; k < 3; ++k) d[k] = a[k] - c[k];
+    return mesh__length(d);
+}
+
+/* The ear of a quad or a pentagon with the shortest diagonal; of more corners the next ear from `at` on. A face that
+   crosses itself may have none: then any corner. */
+static inline size_t mesh__next_ear(const mesh__ring *ring, size_t at)
+{
+    size_t k, best = at;
+    double shortest = -1;
+    for (k = 0; k < ring->count; ++k, at = ring->next[at]) {
+        double diagonal = mesh__diagonal(ring, at);
+        if ((shortest >= 0 && diagonal >= shortest) || !mesh__is_ear(ring, at)) continue;
+        best = at;
+        shortest = diagonal;
+        if (ring->count > 5) break;
     }
+    return best;
 }
 
-/* Reads a finite number at *at, or an integer, and moves on behind it; 0 if there is none. */
-static inline int mesh__number(char **at, double *x)
+static inline int mesh__add_triangle(mesh *m, size_t room[2], const mesh__ring *ring, const size_t corner[3],
+                                     unsigned long line, mesh_error *error)
 {
-    char *end;
-    *x = strtod(*at, &end);
-    if (end == *at || (*end && !strchr(" \t\r", *end)) || !(fabs(*x) <= DBL_MAX)) return 0;
-    *at = end;
-    return 1;
-}
-
-static inline int mesh__integer(char **at, const char *delimiters, long *k)
-{
-    char *end;
-    *k = strtol(*at, &end, 10);
-    if (end == *at || (*end && !strchr(delimiters, *end))) return 0;
-    *at = end;
-    return 1;
-}
-
-/* Whether the word comes next on the line; if so, moves on behind it. */
-static inline int mesh__word(char **at, const char *word)
-{
-    char *from = *at + strspn(*at, " \t");
-    size_t length = strlen(word);
-    if (strncmp(from, word, length) != 0 || (from[length] && !strchr(" \t\r", from[length]))) return 0;
-    *at = from + length;
-    return 1;
-}
-
-static inline int mesh__add_vertex(mesh__reader *r, mesh *m, size_t *room, char **at)
-{
-    static const char *const wanted[3] = {"a finite x", "a finite y", "a finite z"};
-    void *grown = mesh__grow(m->vertex, m->vertices, room, 3 * sizeof(double));
-    int c;
-    if (!grown) return mesh__no_memory(r->error, r->name);
-    m->vertex = (double *)grown;
-    if (m->vertices >= MESH_NONE) return mesh__fail(r->error, MESH_TOO_LARGE, r->name, r->line, "too many vertices");
-    for (c = 0; c < 3; ++c)
-        if (!mesh__number(at, &m->vertex[3 * m->vertices + (size_t)c])) return mesh__malformed(r, wanted[c], *at);
-    ++m->vertices;
-    return MESH_OK;
-}
-
-/* Adds a triangle of vertices counted from 0; they are looked up when all have been read. */
-static inline int mesh__add_triangle(mesh__reader *r, mesh *m, size_t room[2], const long corner[3])
-{
+    const uint32_t *joint = ring->f->joint, *vertex = ring->f->corner + ring->begin;
+    uint32_t v[3];
     void *grown = mesh__grow(m->triangle, m->triangles, &room[0], 3 * sizeof *m->triangle);
-    int c;
+    int k;
     if (grown) m->triangle = (uint32_t *)grown;
     if (grown) grown = mesh__grow(m->line, m->triangles, &room[1], sizeof *m->line);
-    if (!grown) return mesh__no_memory(r->error, r->name);
-    m->line = (uint32_t *)grown;
-    if (m->triangles >= MESH_NONE / 3 || r->line >= MESH_NONE)
-        return mesh__fail(r->error, MESH_TOO_LARGE, r->name, r->line, "too many triangles or lines");
-    for (c = 0; c < 3; ++c) {
-        if (corner[c] < 0 || (unsigned long)corner[c] >= MESH_NONE)
-            return mesh__fail(r->error, MESH_BAD_INDEX, r->name, r->line, "there is no vertex %ld", corner[c]);
-        m->triangle[3 * m->triangles + (size_t)c] = (uint32_t)corner[c];
-    }
-    m->line[m->triangles++] = (uint32_t)r->line;
+    if (!grown) return mesh__no_memory(error, m->name);
+    m->line = (unsigned long *)grown;
+    if (m->triangles >= MESH_NONE / 3) return mesh__fail(error, MESH_TOO_LARGE, m->name, line, "too many triangles");
+    for (k = 0; k < 3; ++k) v[k] = joint[vertex[corner[k]]];
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return MESH_OK; /* joined: nothing is left of it */
+    memcpy(m->triangle + 3 * m->triangles, v, sizeof v);
+    m->line[m->triangles++] = line;
     return MESH_OK;
 }
 
-/* A face as OFF and PLY write it: 3 a b c. */
-static inline int mesh__add_face(mesh__reader *r, mesh *m, size_t room[2], char **at)
+/* Cuts ears off a face until it is a triangle. O(corners times reflex corners). */
+static inline int mesh__split(mesh *m, size_t room[2], mesh__ring *ring, unsigned long line, mesh_error *error)
 {
-    long corners, corner[3];
-    int c;
-    if (!mesh__integer(at, " \t\r", &corners)) return mesh__malformed(r, "a number of corners", *at);
-    if (corners != 3)
-        return mesh__fail(r->error, MESH_NOT_TRIANGLES, r->name, r->line, "a face of %ld corners, not 3", corners);
-    for (c = 0; c < 3; ++c)
-        if (!mesh__integer(at, " \t\r", &corner[c])) return mesh__malformed(r, "the number of a vertex", *at);
-    return mesh__add_triangle(r, m, room, corner);
-}
-
-static inline int mesh__ends(const mesh__reader *r, long after, long promised, const char *what)
-{
-    return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the file ends after %ld of %ld %s", after, promised,
-                      what);
-}
-
-/* OFF: the word OFF (or COFF, NOFF, ...), numbers of vertices, faces and edges, vertices, faces. What follows the three
-   coordinates (a normal, a colour) is not looked at. */
-static inline int mesh__read_off(mesh__reader *r, mesh *m)
-{
-    size_t vertex_room = 0, room[2] = {0, 0};
-    long count[2], k;
-    char *at = strstr(r->text, "OFF") + 3;
-    int got, status;
-    r->again = 0;
-    if (mesh__word(&at, "BINARY"))
-        return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "binary OFF: only text is read");
-    if (!at[strspn(at, " \t\r")]) { /* the counts stand on the next line, or behind the word */
-        status = mesh__line(r, 1, &got);
-        if (status) return status;
-        if (!got) return mesh__ends(r, 0, 2, "counts");
-        at = r->text;
+    size_t n = ring->count, i, at = 0, corner[3];
+    int status = MESH_OK;
+    for (i = 0; i < n; ++i) {
+        ring->next[i] = i + 1 < n ? i + 1 : 0;
+        ring->last[i] = i > 0 ? i - 1 : n - 1;
     }
-    for (k = 0; k < 2; ++k)
-        if (!mesh__integer(&at, " \t\r", &count[k]) || count[k] < 0 || count[k] > LONG_MAX / 2)
-            return mesh__malformed(r, "the numbers of vertices and faces", at);
-    for (k = 0; k < count[0] + count[1]; ++k) {
-        status = mesh__line(r, 1, &got);
-        if (status) return status;
-        if (!got)
-            return k < count[0] ? mesh__ends(r, k, count[0], "vertices")
-                                : mesh__ends(r, k - count[0], count[1], "faces");
-        at = r->text;
-        status = k < count[0] ? mesh__add_vertex(r, m, &vertex_room, &at) : mesh__add_face(r, m, room, &at);
-        if (status) return status;
+    for (ring->reflexes = 0, i = 0; i < n; ++i)
+        if (mesh__side(ring, ring->last[i], i, ring->next[i]) <= 0) ring->reflex[ring->reflexes++] = i;
+    while (!status && ring->count >= 3) {
+        if (ring->count > 3) at = mesh__next_ear(ring, at);
+        corner[0] = ring->last[at], corner[1] = at, corner[2] = ring->next[at];
+        if (n == 3) corner[0] = 0, corner[1] = 1, corner[2] = 2;
+        status = mesh__add_triangle(m, room, ring, corner, line, error);
+        ring->next[corner[0]] = corner[2];
+        ring->last[corner[2]] = corner[0];
+        at = corner[2];
+        if (--ring->count < 3) break;
     }
-    status = mesh__line(r, 1, &got);
-    return status || !got ? status : mesh__malformed(r, "the end of the file after its last face", r->text);
-}
-
-/* OBJ: lines v x y z and f a b c (also a/1 a//1 a/1/1, and -1 for the latest vertex); every other line is skipped. */
-static inline int mesh__read_obj(mesh__reader *r, mesh *m)
-{
-    size_t vertex_room = 0, room[2] = {0, 0};
-    for (;;) {
-        char *at;
-        int got, c, status = mesh__line(r, 1, &got);
-        if (status || !got) return status;
-        at = r->text;
-        if (mesh__word(&at, "v")) {
-            status = mesh__add_vertex(r, m, &vertex_room, &at);
-        } else if (mesh__word(&at, "f")) {
-            long corner[3];
-            for (c = 0; at[strspn(at, " \t\r")]; ++c) {
-                long k;
-                if (!mesh__integer(&at, "/ \t\r", &k)) return mesh__malformed(r, "the number of a vertex", at);
-                if (k == 0) return mesh__fail(r->error, MESH_BAD_INDEX, r->name, r->line, "OBJ counts vertices from 1");
-                if (c < 3) corner[c] = k > 0 ? k - 1 : k + (long)m->vertices;
-                at += strcspn(at, " \t\r");
-            }
-            if (c != 3)
-                return mesh__fail(r->error, MESH_NOT_TRIANGLES, r->name, r->line, "a face of %d corners, not 3", c);
-            status = mesh__add_triangle(r, m, room, corner);
-        }
-        if (status) return status;
-    }
-}
-
-/* PLY: a header that names elements (vertex, face, others) and their properties, then one line for each element. */
-static inline int mesh__read_ply(mesh__reader *r, mesh *m)
-{
-    enum { ELEMENTS = 16, PROPERTIES = 64 };
-    struct { /* a property is x, y, z, f (the list of corners), or of no interest: s (scalar) or l (list) */
-        char kind, property[PROPERTIES + 1];
-        long count;
-    } element[ELEMENTS];
-    size_t vertex_room = 0, room[2] = {0, 0};
-    int elements = 0, ascii = 0, got, e, status;
-    r->again = 0;
-    for (;;) {
-        char *at, *type;
-        status = mesh__line(r, 0, &got);
-        if (status) return status;
-        if (!got) return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the file ends before end_header");
-        at = r->text;
-        if (mesh__word(&at, "end_header")) break;
-        if (mesh__word(&at, "format")) {
-            if (!mesh__word(&at, "ascii")) return mesh__malformed(r, "format ascii: binary PLY is not read", r->text);
-            ascii = 1;
-        } else if (mesh__word(&at, "element")) {
-            if (elements == ELEMENTS) return mesh__malformed(r, "at most 16 kinds of elements", r->text);
-            memset(&element[elements], 0, sizeof element[elements]);
-            element[elements].kind = (char)(mesh__word(&at, "vertex") ? 'v' : mesh__word(&at, "face") ? 'f' : 's');
-            if (element[elements].kind == 's') at += strspn(at, " \t"), at += strcspn(at, " \t\r");
-            if (!mesh__integer(&at, " \t\r", &element[elements].count) || element[elements].count < 0)
-                return mesh__malformed(r, "a number of elements", at);
-            ++elements;
-        } else if (mesh__word(&at, "property")) {
-            char *property = elements ? element[elements - 1].property : NULL, kind = 's';
-            if (!property || strlen(property) == PROPERTIES)
-                return mesh__malformed(r, "an element first, and at most 64 properties of it", r->text);
-            if (mesh__word(&at, "list")) {
-                kind = 'l';
-                at += strspn(at, " \t"), at += strcspn(at, " \t\r"); /* the type of the count */
-            }
-            type = at += strspn(at, " \t"), at += strcspn(at, " \t\r");
-            if (at == type) return mesh__malformed(r, "a type and a name", type);
-            if (kind == 's' && element[elements - 1].kind == 'v')
-                kind = (char)(mesh__word(&at, "x")   ? 'x'
-                              : mesh__word(&at, "y") ? 'y'
-                              : mesh__word(&at, "z") ? 'z'
-                                                     : 's');
-            if (kind == 'l' && element[elements - 1].kind == 'f')
-                kind = mesh__word(&at, "vertex_indices") || mesh__word(&at, "vertex_index") ? 'f' : 'l';
-            property[strlen(property)] = kind;
-        } else if (!mesh__word(&at, "comment") && !mesh__word(&at, "obj_info")) {
-            return mesh__malformed(r, "a line of a PLY header", r->text);
-        }
-    }
-    if (!ascii)
-        return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the header has no line 'format ascii 1.0'");
-    for (e = 0; e < elements; ++e) {
-        const char *property = element[e].property, *p, kind = element[e].kind;
-        long k;
-        if (kind == 'v' && !strstr(property, "xyz"))
-            return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the vertices have no x, y, z in this order");
-        if (kind == 'f' && !strchr(property, 'f'))
-            return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the faces have no list vertex_indices");
-        for (k = 0; k < element[e].count; ++k) {
-            char *at;
-            status = mesh__line(r, 0, &got);
-            if (status) return status;
-            if (!got)
-                return mesh__ends(r, k, element[e].count,
-                                  kind == 'v'   ? "vertices"
-                                  : kind == 'f' ? "faces"
-                                                : "other elements");
-            at = r->text;
-            for (p = property; *p; ++p) {
-                double ignored;
-                long list = 1;
-                if (*p == 'f')
-                    status = mesh__add_face(r, m, room, &at);
-                else if (*p == 'x')
-                    status = mesh__add_vertex(r, m, &vertex_room, &at);
-                if (status) return status;
-                if (*p == 'l' && !mesh__integer(&at, " \t\r", &list))
-                    return mesh__malformed(r, "the length of a list", at);
-                if (*p == 's' || *p == 'l')
-                    for (; list > 0; --list)
-                        if (!mesh__number(&at, &ignored)) return mesh__malformed(r, "a number for each property", at);
-            }
-            if (at[strspn(at, " \t\r")]) return mesh__malformed(r, "no more numbers than properties", at);
-        }
-    }
-    status = mesh__line(r, 0, &got);
-    return status || !got ? status : mesh__malformed(r, "the end of the file after its last element", r->text);
-}
-
-/* A format is known by its first line, whatever the file is called. */
-static inline int mesh__read_any(mesh__reader *r, mesh *m)
-{
-    static const char *const obj[] = {"v", "vn", "vt", "vp", "f", "o", "g", "s", "l", "p", "mtllib", "usemtl"};
-    char *at;
-    size_t k;
-    int got, status = mesh__line(r, 1, &got);
-    if (status) return status;
-    if (!got) return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "the file is empty");
-    at = r->text;
-    r->again = 1;
-    if (mesh__word(&at, "ply")) return mesh__read_ply(r, m);
-    for (k = 0; k < sizeof obj / sizeof *obj; ++k)
-        if (mesh__word(&at, obj[k])) return mesh__read_obj(r, m);
-    at += strspn(at, " \tSTCN"); /* texture, colours, normals; not 4OFF and nOFF: they are not in space */
-    if (!strncmp(at, "OFF", 3) && (!at[3] || strchr(" \t\r", at[3]))) return mesh__read_off(r, m);
-    return mesh__malformed(r, "an OFF, OBJ or PLY mesh", r->text);
-}
-
-/* Reads a mesh from an open file, which stays open; its name is for complaints.
-   m           out: vertices and triangles as in the file, in its order; also vertices that no triangle uses
-   Errors: UNREADABLE, MALFORMED, NOT_TRIANGLES, BAD_INDEX, TOO_LARGE, NO_MEMORY; error may be NULL. */
-static inline int mesh_read_stream(mesh *m, FILE *file, const char *name, mesh_error *error)
-{
-    mesh__reader r;
-    size_t h;
-    int status;
-    memset(m, 0, sizeof *m);
-    memset(&r, 0, sizeof r);
-    r.file = file;
-    r.name = name;
-    r.error = error;
-    status = mesh__read_any(&r, m);
-    free(r.text);
-    for (h = 0; !status && h < 3 * m->triangles; ++h) {
-        uint32_t from = m->triangle[h], to = m->triangle[h % 3 < 2 ? h + 1 : h - 2];
-        if (from >= m->vertices)
-            status = mesh__fail(error, MESH_BAD_INDEX, name, m->line[h / 3],
-                                "there is no vertex %lu, counted from 0: there are %lu", (unsigned long)from,
-                                (unsigned long)m->vertices);
-        else if (from == to)
-            status = mesh__fail(error, MESH_BAD_INDEX, name, m->line[h / 3],
-                                "a triangle has vertex %lu twice, counted from 0", (unsigned long)from);
-    }
-    if (!status && !m->triangles) status = mesh__fail(error, MESH_MALFORMED, name, 0, "there are no triangles in it");
-    if (!status && !(m->name = (char *)malloc(strlen(name) + 1))) status = mesh__no_memory(error, name);
-    if (status)
-        mesh_free(m);
-    else
-        strcpy(m->name, name);
     return status;
 }
 
-/* The same from a file that is opened and closed here. "-" is standard input. */
-static inline int mesh_read(mesh *m, const char *path, mesh_error *error)
+static inline int mesh__split_faces(mesh *m, const mesh_file *f, mesh_error *error)
 {
-    FILE *file = strcmp(path, "-") ? fopen(path, "r") : stdin;
+    mesh__ring ring;
+    size_t i, n, most = 3, room[2] = {0, 0}, *work;
+    int status = MESH_OK;
+    for (i = 0; i < f->faces; ++i)
+        if (f->begin[i + 1] - f->begin[i] > most) most = f->begin[i + 1] - f->begin[i];
+    work = (size_t *)malloc(3 * most * sizeof *work);
+    if (!work) return mesh__no_memory(error, m->name);
+    memset(&ring, 0, sizeof ring);
+    ring.f = f;
+    ring.next = work, ring.last = work + most, ring.reflex = work + 2 * most;
+    for (i = 0; !status && i < f->faces; ++i) {
+        ring.begin = f->begin[i];
+        ring.count = n = f->begin[i + 1] - f->begin[i];
+        mesh_file_area(f, i, ring.area);
+        status = mesh__split(m, room, &ring, f->line[i], error);
+    }
+    free(work);
+    if (!status && !m->triangles)
+        status = mesh__fail(error, MESH_MALFORMED, m->name, 0, "its faces are no larger than what is joined");
+    return status;
+}
+
+/* Normals of the file, where it has them for all corners, where no face contradicts them, and where those of one vertex
+   agree to 3 degrees: programs that draw also write normals of facets. */
+static inline int mesh__take_normals(mesh *m, const mesh_file *f, mesh_error *error)
+{
+    const double cos_3 = 0.9986;
+    size_t j, corners = f->begin[f->faces];
+    double *sum, length;
+    int c, agree = 1;
+    if (!f->normals) return MESH_OK;
+    m->ignored = mesh_file_contradiction(f) < f->faces;
+    if (m->ignored) return MESH_OK;
+    sum = (double *)calloc(3 * f->vertices + 1, sizeof *sum);
+    if (!sum) return mesh__no_memory(error, m->name);
+    for (j = 0; agree && j < corners; ++j) {
+        const double *n = mesh_file_normal(f, j);
+        double *to = sum + 3 * (size_t)f->joint[f->corner[j]];
+        length = mesh__length(n);
+        if (!(length > 0 && length <= DBL_MAX)) agree = 0;
+        for (c = 0; c < 3 && agree; ++c) to[c] += n[c] / length;
+    }
+    for (j = 0; agree && j < corners; ++j) {
+        const double *n = mesh_file_normal(f, j), *mean = sum + 3 * (size_t)f->joint[f->corner[j]];
+        double cosine = (n[0] * mean[0] + n[1] * mean[1] + n[2] * mean[2]) / (mesh__length(n) * mesh__length(mean));
+        agree = cosine > cos_3;
+    }
+    for (j = 0; agree && j < f->vertices; ++j) {
+        length = mesh__length(sum + 3 * j);
+        for (c = 0; c < 3 && length > 0; ++c) sum[3 * j + (size_t)c] /= length;
+    }
+    m->ignored = !agree;
+    if (agree)
+        m->normal = sum;
+    else
+        free(sum);
+    return MESH_OK;
+}
+
+/* Where faces are no triangles: the mean over the faces, for that over their triangles depends on how they were cut. */
+static inline int mesh__mean_normals(mesh *m, const mesh_file *f, mesh_error *error)
+{
+    double *mean, length;
+    size_t i, v, c;
+    for (i = 0; i < f->faces && f->begin[i + 1] - f->begin[i] == 3;) ++i;
+    if (m->normal || i == f->faces) return MESH_OK;
+    mean = mesh_file_means(f);
+    if (!mean) return mesh__no_memory(error, m->name);
+    for (i = 0; i < 3 * m->triangles; ++i) {
+        length = mesh__length(mean + 3 * (size_t)m->triangle[i]);
+        if (length > 0 && length <= DBL_MAX) continue;
+        free(mean); /* mesh_normals says where there is none */
+        return MESH_OK;
+    }
+    for (v = 0; v < f->vertices; ++v) {
+        length = mesh__length(mean + 3 * v);
+        for (c = 0; c < 3 && length > 0; ++c) mean[3 * v + c] /= length;
+    }
+    m->normal = mean;
+    return MESH_OK;
+}
+
+/* What meshfile.h reads and mere outlines may have, but a surface of triangles may not. */
+static inline int mesh__check_faces(const mesh_file *f, const char *name, mesh_error *error)
+{
+    size_t i, j;
+    if (f->infinite_line)
+        return mesh__fail(error, MESH_MALFORMED, name, f->infinite_line, "expected finite numbers x y z");
+    for (i = 0; i < f->faces; ++i) {
+        size_t n = f->begin[i + 1] - f->begin[i];
+        const uint32_t *v = f->corner + f->begin[i];
+        if (n < 3)
+            return mesh__fail(error, MESH_NOT_TRIANGLES, name, f->line[i], "a face of %lu corners", (unsigned long)n);
+        for (j = 0; j < n; ++j)
+            if (v[j] == v[j + 1 < n ? j + 1 : 0])
+                return mesh__fail(error, MESH_BAD_INDEX, name, f->line[i],
+                                  "a face has vertex %lu twice, counted from 0", (unsigned long)v[j]);
+    }
+    return f->faces ? MESH_OK : mesh__fail(error, MESH_MALFORMED, name, 0, "there are no faces in it");
+}
+
+/* Makes triangles of a mesh that has been read; what is taken over from f is NULL there. */
+static inline int mesh__from_file(mesh *m, mesh_file *f, const char *name, mesh_error *error)
+{
+    int status = mesh__check_faces(f, name, error);
+    if (!status) status = mesh_file_orient(f, name, error);
+    if (status) return status;
+    m->name = (char *)malloc(strlen(name) + 1);
+    if (!m->name) return mesh__no_memory(error, name);
+    strcpy(m->name, name);
+    status = mesh__split_faces(m, f, error);
+    if (!status) status = mesh__take_normals(m, f, error);
+    if (!status) status = mesh__mean_normals(m, f, error);
+    m->vertices = f->vertices;
+    m->vertex = f->vertex;
+    m->field = f->field;
+    m->joint = f->joint;
+    f->vertex = f->field = NULL;
+    f->joint = NULL;
+    m->joined = f->joined;
+    m->turned = f->turned;
+    m->first_turned = f->line[f->first_turned];
+    return status;
+}
+
+/* Reads a mesh: an oriented surface, whose quads and polygons are split into triangles. Copies of vertices at its
+   boundary are joined, faces that run against their neighbours turned round: m->joined, m->turned.
+   m           out: vertices as in the file, in its order, also those that no triangle uses; triangles in the order of
+               their faces
+   field       NULL, or the name of a scalar of the vertices: m->field
+   Errors: UNREADABLE, MALFORMED, NOT_TRIANGLES, BAD_INDEX, TOO_LARGE, NOT_MANIFOLD, NOT_ORIENTED, NO_MEMORY; error may
+   be NULL. */
+static inline int mesh_read_source(mesh *m, const mesh_source *source, const char *field, mesh_error *error)
+{
+    mesh_file f;
+    int status;
+    memset(m, 0, sizeof *m);
+    status = mesh_file_read(&f, source, field, error);
+    if (!status) status = mesh__from_file(m, &f, source->name, error);
+    mesh_file_free(&f);
+    if (status) mesh_free(m);
+    return status;
+}
+
+/* The same from an open file, which stays open. */
+static inline int mesh_read_stream(mesh *m, FILE *file, const char *name, const char *field, mesh_error *error)
+{
+    mesh_source source;
+    source.name = name;
+    source.read = mesh_file_from_stream;
+    source.context = file;
+    return mesh_read_source(m, &source, field, error);
+}
+
+/* The same from a file that is opened and closed here. "-" is standard input. */
+static inline int mesh_read(mesh *m, const char *path, const char *field, mesh_error *error)
+{
+    FILE *file = strcmp(path, "-") ? fopen(path, "rb") : stdin;
     int status;
     memset(m, 0, sizeof *m);
     if (!file) return mesh__fail(error, MESH_UNREADABLE, path, 0, "cannot be opened");
-    status = mesh_read_stream(m, file, path, error);
+    status = mesh_read_stream(m, file, path, field, error);
     if (file != stdin) fclose(file);
     return status;
 }
 
+static inline int mesh__is_nan(double x)
+{
+    return !(x <= 0) && !(x > 0);
+}
+
+static inline int mesh__read_values(const mesh *m, mesh__reader *r, double *field, size_t *hole)
+{
+    size_t k;
+    int got = 1, status;
+    for (k = 0;; ++k) {
+        char *at;
+        status = mesh__line(r, 1, &got);
+        if (status) return status;
+        if (!got) break;
+        at = r->text;
+        if (k == m->vertices)
+            return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line, "a value too many: the mesh has %lu vertices",
+                              (unsigned long)k);
+        if (!mesh__number(&at, &field[k]) || at[strspn(at, " \t")])
+            return mesh__malformed(r, "one finite number a line", r->text);
+        if (!mesh__is_nan(field[k]) && !(fabs(field[k]) <= DBL_MAX))
+            return mesh__malformed(r, "one finite number a line", r->text);
+        if (mesh__is_nan(field[k]) && hole && !*hole) *hole = r->line;
+        if (mesh__is_nan(field[k]) && !hole) return mesh__malformed(r, "one finite number a line", r->text);
+    }
+    if (k == m->vertices) return MESH_OK;
+    return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line,
+                      "the file ends after %lu values: the mesh has %lu vertices", (unsigned long)k,
+                      (unsigned long)m->vertices);
+}
+
 /* Reads a scalar for each vertex of the mesh, one a line; comments (from # on) and blank lines are skipped.
    *field      m->vertices  out: to be freed by the caller
+   *hole       out: the line of the first NaN, 0 if there is none; with NULL a NaN is refused
    Errors: UNREADABLE, MALFORMED (also: too few or too many values), NO_MEMORY; error may be NULL. */
-static inline int mesh_read_field_stream(const mesh *m, FILE *file, const char *name, double **field, mesh_error *error)
+static inline int mesh_read_field_stream(const mesh *m, FILE *file, const char *name, double **field, size_t *hole,
+                                         mesh_error *error)
 {
     mesh__reader r;
-    size_t k;
-    int got = 1, status = MESH_OK;
+    mesh_source source;
+    int status = MESH_OK;
+    source.name = name;
+    source.read = mesh_file_from_stream;
+    source.context = file;
     memset(&r, 0, sizeof r);
-    r.file = file;
+    r.source = &source;
     r.name = name;
     r.error = error;
+    r.block = (char *)malloc(MESH__BLOCK);
+    if (hole) *hole = 0;
     *field = (double *)malloc((m->vertices + 1) * sizeof **field);
-    if (!*field) status = mesh__no_memory(error, name);
-    for (k = 0; !status; ++k) {
-        char *at;
-        status = mesh__line(&r, 1, &got);
-        if (status || !got) break;
-        at = r.text;
-        if (k == m->vertices)
-            status = mesh__fail(error, MESH_MALFORMED, name, r.line, "a value too many: the mesh has %lu vertices",
-                                (unsigned long)k);
-        else if (!mesh__number(&at, &(*field)[k]) || at[strspn(at, " \t\r")])
-            status = mesh__malformed(&r, "one finite number a line", r.text);
-    }
-    if (!status && k < m->vertices)
-        status =
-            mesh__fail(error, MESH_MALFORMED, name, r.line, "the file ends after %lu values: the mesh has %lu vertices",
-                       (unsigned long)k, (unsigned long)m->vertices);
+    if (!*field || !r.block) status = mesh__no_memory(error, name);
+    if (!status) status = mesh__read_values(m, &r, *field, hole);
     free(r.text);
+    free(r.block);
     if (status) {
         free(*field);
         *field = NULL;
@@ -549,15 +434,34 @@ static inline int mesh_read_field_stream(const mesh *m, FILE *file, const char *
 }
 
 /* The same from a file that is opened and closed here. "-" is standard input. */
-static inline int mesh_read_field(const mesh *m, const char *path, double **field, mesh_error *error)
+static inline int mesh_read_field(const mesh *m, const char *path, double **field, size_t *hole, mesh_error *error)
 {
     FILE *file = strcmp(path, "-") ? fopen(path, "r") : stdin;
     int status;
     *field = NULL;
     if (!file) return mesh__fail(error, MESH_UNREADABLE, path, 0, "cannot be opened");
-    status = mesh_read_field_stream(m, file, path, field, error);
+    status = mesh_read_field_stream(m, file, path, field, hole, error);
     if (file != stdin) fclose(file);
     return status;
+}
+
+/* Leaves out the triangles at vertices without a value, a NaN, which then is 0. Returns how many these are; connect has
+   to be done after it. */
+static inline size_t mesh_cut_holes(mesh *m, double *field)
+{
+    size_t t, kept = 0, v;
+    for (t = 0; t < m->triangles; ++t) {
+        const uint32_t *v3 = m->triangle + 3 * t;
+        if (mesh__is_nan(field[v3[0]]) || mesh__is_nan(field[v3[1]]) || mesh__is_nan(field[v3[2]])) continue;
+        memmove(m->triangle + 3 * kept, v3, 3 * sizeof *v3);
+        if (m->line) m->line[kept] = m->line[t];
+        ++kept;
+    }
+    t = m->triangles - kept;
+    m->triangles = kept;
+    for (v = 0; v < m->vertices; ++v)
+        if (mesh__is_nan(field[v])) field[v] = 0;
+    return t;
 }
 
 /* --- 2. connect: triangles -> which edge meets which -------------------------------------------------------------- */
@@ -682,10 +586,9 @@ static inline void mesh_flip(mesh *m)
         corner[2] = corner[1];
         corner[1] = last;
     }
+    for (t = 0; m->normal && t < 3 * m->vertices; ++t) m->normal[t] = -m->normal[t];
     free(m->twin);
-    free(m->normal);
     m->twin = NULL;
-    m->normal = NULL;
 }
 
 /* --- 3. normals: triangles -> unit normal per vertex -------------------------------------------------------------- */
@@ -701,11 +604,6 @@ static inline void mesh__double_area(const mesh *m, size_t t, double out[3])
     out[0] = u[1] * v[2] - u[2] * v[1];
     out[1] = u[2] * v[0] - u[0] * v[2];
     out[2] = u[0] * v[1] - u[1] * v[0];
-}
-
-static inline double mesh__length(const double x[3])
-{
-    return sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
 }
 
 /* Unit normals at the vertices: the sum of the normals of the triangles there, weighted by area, normalised.

@@ -8,7 +8,8 @@
 
    Two points of a torus are joined by many geodesics: once round the hole, twice, across. The chart chooses: its angles
    are not reduced modulo 2 pi, and an edge is the geodesic that the straight segment in (phi, theta) is pulled tight
-   to. So the triangles of paper 5.1 are measured on the chart.
+   to. So the triangles of paper 5.1 are measured on the chart. A log whose exp would not end on the other corner of the
+   chart is a CALLBACK_FAILED.
 
    Normals, curvature, exp, log, accuracy and errors: implicit.h, which this file needs beside it. */
 #ifndef SURFMINK_TORUS_H
@@ -55,6 +56,40 @@ static inline void surfmink_torus_point(const double radius[2], double phi, doub
 
 /* --- corners as phi, theta --------------------------------------------------------------------------------------- */
 
+/* Where the geodesic that leaves x in a direction of the frame there ends in the chart. It is followed in pieces that
+   turn each angle by less than half a turn, for a point in space does not tell how often it went round. Good enough to
+   count rounds; digits are for one shot over the whole length. At most 1000 pieces, else BAD_ARGUMENT. */
+static inline int torus__follow(const surfmink_implicit *torus, const double *x, const double *direction, double length,
+                                double *end)
+{
+    const double *radius = (const double *)torus->shape;
+    const double longest = 1.5 * fmin(radius[0] - radius[1], radius[1]); /* either angle turns by 1.5 at most */
+    implicit__flow flow;
+    implicit__end arrival;
+    double pieces = ceil(length / longest), size = hypot(direction[0], direction[1]), frame[9], tangent[3], angle[2], i;
+    int k, status;
+    if (!(pieces <= 1000)) return SURFMINK_BAD_ARGUMENT;
+    implicit__begin(&flow, torus, 300);
+    surfmink_torus_point(radius, x[0], x[1], flow.origin);
+    status = surfmink_implicit_frame(torus, flow.origin, frame);
+    if (status != SURFMINK_OK) return status;
+    for (k = 0; k < 3; ++k) tangent[k] = (direction[0] * frame[k] + direction[1] * frame[3 + k]) / size;
+    end[0] = x[0];
+    end[1] = x[1];
+    for (i = 0; i < pieces; ++i) {
+        status = implicit__shoot(&flow, tangent, length / pieces, &arrival);
+        if (status != SURFMINK_OK) return status;
+        for (k = 0; k < 3; ++k) {
+            flow.origin[k] += arrival.position[k];
+            tangent[k] = arrival.velocity[k];
+        }
+        angle[0] = atan2(flow.origin[1], flow.origin[0]);
+        angle[1] = atan2(flow.origin[2], hypot(flow.origin[0], flow.origin[1]) - radius[0]);
+        for (k = 0; k < 2; ++k) end[k] += remainder(angle[k] - end[k], 6.28318530717958647693);
+    }
+    return SURFMINK_OK;
+}
+
 typedef struct torus__segment {
     const double *radius, *from, *to;
 } torus__segment;
@@ -66,46 +101,41 @@ static inline void torus__segment_point(const void *context, double t, double po
                          point);
 }
 
-/* One of both ways is computed, so that the other cannot differ. */
+/* One of both ways is computed, so that the other cannot differ. In space a geodesic of another homotopy class ends at
+   the same point: the chart tells. */
 static inline int torus__log(void *context, const double *x, const double *y, double *length, double direction[2])
 {
     surfmink_implicit torus = surfmink_torus((const double *)context);
     torus__segment segment;
-    double there[2], back[2], found;
+    double there[2], back[2], end[2], found;
     int k, status, reversed = x[0] > y[0] || (x[0] == y[0] && x[1] > y[1]);
     if (x[0] == y[0] && x[1] == y[1]) return SURFMINK_COINCIDENT_CORNERS;
     segment.radius = (const double *)context;
     segment.from = reversed ? y : x;
     segment.to = reversed ? x : y;
     status = surfmink_implicit_log_along(&torus, torus__segment_point, &segment, &found, there, back);
+    if (status == SURFMINK_OK) status = torus__follow(&torus, segment.from, there, found, end);
     if (status != SURFMINK_OK) return status;
+    if (!(hypot(end[0] - segment.to[0], end[1] - segment.to[1]) < 1)) return SURFMINK_CALLBACK_FAILED; /* not 2 pi */
     *length = found;
     for (k = 0; k < 2; ++k) direction[k] = reversed ? back[k] : there[k];
     return SURFMINK_OK;
 }
 
-/* Angles are followed in pieces of less than half a turn, for the point alone does not tell how often it went round:
-   that many shots. At most 1000, else BAD_ARGUMENT. */
 static inline int torus__exp(void *context, const double *x, const double direction[2], double length, double *y)
 {
     const double *radius = (const double *)context;
     surfmink_implicit torus = surfmink_torus(radius);
-    double start[3], point[3], now[2], angle[2], i;
-    double pieces = ceil(fabs(length) / fmin(radius[0] - radius[1], radius[1]));
+    double start[3], point[3], end[2], angle[2], ahead[2];
     int k, status;
-    if (!(pieces <= 1000)) return SURFMINK_BAD_ARGUMENT;
     surfmink_torus_point(radius, x[0], x[1], start);
-    now[0] = x[0];
-    now[1] = x[1];
-    for (i = 1; i <= pieces; ++i) {
-        status = surfmink_implicit_exp(&torus, start, direction, length * (i / pieces), point);
-        if (status != SURFMINK_OK) return status;
-        angle[0] = atan2(point[1], point[0]);
-        angle[1] = atan2(point[2], hypot(point[0], point[1]) - radius[0]);
-        for (k = 0; k < 2; ++k) now[k] += remainder(angle[k] - now[k], 6.28318530717958647693);
-    }
-    y[0] = now[0];
-    y[1] = now[1];
+    status = surfmink_implicit_exp(&torus, start, direction, length, point);
+    for (k = 0; k < 2; ++k) ahead[k] = length < 0 ? -direction[k] : direction[k];
+    if (status == SURFMINK_OK) status = torus__follow(&torus, x, ahead, fabs(length), end);
+    if (status != SURFMINK_OK) return status;
+    angle[0] = atan2(point[1], point[0]);
+    angle[1] = atan2(point[2], hypot(point[0], point[1]) - radius[0]);
+    for (k = 0; k < 2; ++k) y[k] = end[k] + remainder(angle[k] - end[k], 6.28318530717958647693);
     return SURFMINK_OK;
 }
 

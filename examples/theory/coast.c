@@ -47,8 +47,8 @@ static double distance(const double *x, const double *a, const double *b)
         along[k] = b[k] - a[k];
         to[k] = x[k] - a[k];
     }
-    length2 = plot__dot(along, along);
-    t = length2 > 0 ? fmin(fmax(plot__dot(to, along) / length2, 0), 1) : 0;
+    length2 = dot(along, along);
+    t = length2 > 0 ? fmin(fmax(dot(to, along) / length2, 0), 1) : 0;
     for (k = 0; k < 3; ++k) sum += (to[k] - t * along[k]) * (to[k] - t * along[k]);
     return sqrt(sum);
 }
@@ -95,6 +95,7 @@ static void draw_country(plot *p, const country *whole, double tolerance, double
     static country s;
     plot_pen pen = {"#000000", 1.2, ""};
     double middle[3] = {0, 0, 0}, mu[RANKS + 1], xy[2 * MOST];
+    surfmink_outline outline;
     plot_view view;
     char name[64];
     size_t i;
@@ -102,14 +103,15 @@ static void draw_country(plot *p, const country *whole, double tolerance, double
     view = plot_look(atan2(middle[1], middle[0]) * 180 / PLOT_PI,
                      atan2(middle[2], hypot(middle[0], middle[1])) * 180 / PLOT_PI, left + 80, top + 72, 0.034);
     simplify(whole, tolerance, &s);
-    theory_need(surfmink_measure_sphere(s.corner, s.n, EARTH, RANKS, mu, NULL, NULL, NULL));
+    outline = surfmink_sphere(s.corner, s.n, EARTH);
+    theory_need(surfmink_measure(&outline, RANKS, mu, NULL, NULL, NULL));
     for (i = 0; i < s.n; ++i) plot_project(&view, s.corner + 3 * i, xy + 2 * i);
     plot_path(p, xy, s.n, 1, pen, "#dddddd");
     if (tolerance > 0)
         snprintf(name, sizeof name, "to %g km: %lu corners", tolerance, (unsigned long)s.n);
     else
         snprintf(name, sizeof name, "as in the data: %lu corners", (unsigned long)s.n);
-    plot_text(p, left + 80, top + 12, 11, "middle", name);
+    plot_text(p, left + 80, top + 12, 11, AT_MIDDLE, name);
     theory_bars(p, mu, RANKS, left + 30, top + 146, 100, 40, !(tolerance > 0));
 }
 
@@ -121,6 +123,7 @@ int main(int argc, char **argv)
     plot_axes lengths = {60, 242, 260, 190, {8, 1200}, {0.4, 1.05}, {1, 0}};
     plot_axes shapes = {410, 242, 260, 190, {8, 1200}, {0, 1}, {1, 0}};
     double at[STEPS], length[STEPS], mu2[STEPS], mu[RANKS + 1], first;
+    surfmink_outline outline;
     surfmink_functionals w;
     plot p;
     int k, step, used, rank, status;
@@ -135,11 +138,13 @@ int main(int argc, char **argv)
     puts("country   tolerance  corners   length     mu_2   mu_3   mu_4   mu_6\n               km              km");
     for (k = 0; k < COUNTRIES; ++k) {
         read_country(&whole, names[k]);
-        theory_need(surfmink_measure_sphere(whole.corner, whole.n, EARTH, RANKS, mu, NULL, &w, NULL));
+        outline = surfmink_sphere(whole.corner, whole.n, EARTH);
+        theory_need(surfmink_measure(&outline, RANKS, mu, NULL, &w, NULL));
         first = w.length;
         for (used = 0, step = -1; step < STEPS; ++step) {
             simplify(&whole, step < 0 ? 0 : tolerance[step], &s);
-            status = surfmink_measure_sphere(s.corner, s.n, EARTH, RANKS, mu, NULL, &w, NULL);
+            outline = surfmink_sphere(s.corner, s.n, EARTH);
+            status = surfmink_measure(&outline, RANKS, mu, NULL, &w, NULL);
             printf("%-8s %10g %8lu", names[k], step < 0 ? 0 : tolerance[step], (unsigned long)s.n);
             if (status != SURFMINK_OK) {
                 printf("   %s\n", surfmink_strerror(status));

@@ -40,13 +40,14 @@ static double random_number(unsigned long *state)
 /* Total turning of an outline; by bisection the colatitude where it is S. */
 static double size_for(double s, size_t corners, double depth, double *corner)
 {
+    surfmink_outline outline = surfmink_sphere(corner, corners, 1);
     double length[CORNERS], turning[CORNERS], low = 0.2, high = 2, middle = 0, sum;
     int step;
     size_t i;
     for (step = 0; step < 60; ++step) {
         middle = (low + high) / 2;
         grow(corners, middle, depth, corner);
-        theory_need(surfmink_edges_sphere(corner, corners, 1, length, turning, NULL));
+        theory_need(surfmink_edges(&outline, length, turning, NULL));
         for (sum = 0, i = 0; i < corners; ++i) sum += turning[i];
         if (sum > s)
             low = middle;
@@ -61,12 +62,13 @@ static double size_for(double s, size_t corners, double depth, double *corner)
 static double shake(const double *corner, size_t corners, const double *mu)
 {
     double moved[3 * CORNERS], now[RANKS + 1], most = 0;
+    surfmink_outline outline = surfmink_sphere(moved, corners, 1);
     unsigned long state = 1;
     size_t i;
     int trial, p;
     for (trial = 0; trial < TRIALS; ++trial) {
         for (i = 0; i < 3 * corners; ++i) moved[i] = corner[i] + NOISE * random_number(&state);
-        if (surfmink_measure_sphere(moved, corners, 1, RANKS, now, NULL, NULL, NULL)) return 0;
+        if (surfmink_measure(&outline, RANKS, now, NULL, NULL, NULL) != SURFMINK_OK) return 0;
         for (p = 2; p <= RANKS; ++p) most = fmax(most, fabs(now[p] - mu[p]));
     }
     return most;
@@ -82,7 +84,7 @@ static void draw_outline(plot *p, double s, double x, double y)
     plot_repeat(p, "sphere", x, y);
     plot_curve_on(p, &view, plot_in_ellipsoid, axis, 2.2, corner, CORNERS, 1, pen, hidden);
     snprintf(name, sizeof name, "$S$ = %g", s);
-    plot_text(p, x, y + 78, 11, "middle", name);
+    plot_text(p, x, y + 78, 11, AT_MIDDLE, name);
 }
 
 int main(int argc, char **argv)
@@ -100,9 +102,10 @@ int main(int argc, char **argv)
     for (kind = 0; kind < 2; ++kind)
         for (k = 0; k < STEPS; ++k) {
             size_t corners = kind ? 6 : CORNERS;
+            surfmink_outline outline = surfmink_sphere(corner, corners, 1);
             s[k] = pow(10, 0.5 - 0.5 * k + (k > 0 ? 0 : 0.15));
             size_for(s[k], corners, kind ? 0 : 0.2, corner);
-            theory_need(surfmink_measure_sphere(corner, corners, 1, RANKS, mu, NULL, &w, NULL));
+            theory_need(surfmink_measure(&outline, RANKS, mu, NULL, &w, NULL));
             condition[kind][k] = w.condition;
             change[kind][k] = shake(corner, corners, mu);
             printf("%-8s %8.1e   %9.6f    %8.2e  %6.4f  %6.4f  %6.4f   %.1e\n", kind ? "hexagon" : "flower", w.turning,

@@ -75,10 +75,12 @@ static void trace(outline *o, int sides, double radius)
 
 static void measure(int sides, double radius, size_t smooth, outline *o, double *mu, double *length)
 {
+    surfmink_outline view;
     surfmink_functionals w;
     trace(o, sides, radius);
     surfmink_smooth(o->corner, o->n, 2, smooth);
-    theory_need(surfmink_measure_plane(o->corner, o->n, RANKS, mu, NULL, &w, NULL));
+    view = surfmink_plane(o->corner, o->n);
+    theory_need(surfmink_measure(&view, RANKS, mu, NULL, &w, NULL));
     *length = w.length;
 }
 
@@ -113,7 +115,7 @@ static void draw_outline(plot *p, int sides, size_t smooth, double left, double 
         snprintf(name, sizeof name, "%lu pass%s", (unsigned long)smooth, smooth > 1 ? "es" : "");
     else
         snprintf(name, sizeof name, "as traced");
-    plot_text(p, left + 68, top + 12, 11, "middle", name);
+    plot_text(p, left + 68, top + 12, 11, AT_MIDDLE, name);
     theory_bars(p, mu, RANKS, left + 22, top + 158, 96, 40, smooth == 0);
 }
 
@@ -132,7 +134,7 @@ static void draw_curves(plot *p, int sides, int rank, const plot_axes *axes, con
         double x = plot_x(axes, size);
         snprintf(label, sizeof label, "%d", 4 << size);
         plot_line(p, x, axes->top, x, axes->top + axes->height, plot_faint);
-        plot_text(p, x, axes->top + axes->height + 13, 10, "middle", label);
+        plot_text(p, x, axes->top + axes->height + 13, 10, AT_MIDDLE, label);
     }
     for (k = 0; k < PASSES; ++k) {
         printf("%6lu", (unsigned long)passes[k]);
@@ -185,7 +187,7 @@ int main(int argc, char **argv)
     draw_curves(&p, 0, 4, &disc, "$\\mu_4$ of the disc (should be 0)");
     draw_curves(&p, 6, 6, &hexagon, "$\\mu_6$ of the hexagon (should be 1)");
     tell_lengths();
-    plot_text(&p, 740, 250, 10, "start", "passes");
+    plot_text(&p, 740, 250, 10, AT_START, "passes");
     for (k = 0; k < PASSES; ++k) {
         snprintf(name, sizeof name, "%lu", (unsigned long)passes[k]);
         plot_key(&p, 740, 268 + 18.0 * k, plot_pens[k], plot_markers[k], name);

@@ -85,10 +85,11 @@ static void tell(const shape *s, const char *surface, const double *mu)
 static void draw_plane(plot *p, const shape *s, double left, double top)
 {
     plot_pen pen = {"#000000", 1.6, ""};
+    surfmink_outline outline = surfmink_plane(s->corner, s->n);
     double xy[2 * MOST], low[2] = {9, 9}, high[2] = {-9, -9}, mu[RANKS + 1], scale;
     size_t i;
     int k;
-    theory_need(surfmink_measure_plane(s->corner, s->n, RANKS, mu, NULL, NULL, NULL));
+    theory_need(surfmink_measure(&outline, RANKS, mu, NULL, NULL, NULL));
     tell(s, "plane", mu);
     for (i = 0; i < 2 * s->n; ++i) {
         low[i % 2] = fmin(low[i % 2], s->corner[i]);
@@ -100,7 +101,7 @@ static void draw_plane(plot *p, const shape *s, double left, double top)
             xy[2 * i + (size_t)k] = (k ? top + 18 : left + COLUMN / 2 - DRAWING / 2) + DRAWING / 2 +
                                     (k ? -1 : 1) * scale * (s->corner[2 * i + (size_t)k] - (low[k] + high[k]) / 2);
     plot_path(p, xy, s->n, 1, pen, "#dddddd");
-    plot_text(p, left + COLUMN / 2, top + 11, 11, "middle", s->name);
+    plot_text(p, left + COLUMN / 2, top + 11, 11, AT_MIDDLE, s->name);
     theory_bars(p, mu, RANKS, left + 18, top + 110, COLUMN - 24, 36, left < COLUMN);
 }
 
@@ -110,20 +111,22 @@ static void draw_sphere(plot *p, const shape *s, double left, double top)
     plot_pen pen = {"#000000", 1.8, ""};
     plot_view view = plot_look(30, 35, left + COLUMN / 2, top + 18 + DRAWING / 2, DRAWING / 2);
     double corner[3 * MOST], curve[3 * MOST * 2], *at = curve, mu[RANKS + 1], vector[3], radius = 1;
-    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_surface sphere = surfmink_sphere_surface(&radius);
+    surfmink_outline outline = surfmink_sphere(corner, s->n, radius);
     size_t i, pieces = s->n > 2 * PIECES ? 1 : PIECES;
     int k;
     for (i = 0; i < s->n; ++i) {
-        for (k = 0; k < 3; ++k) vector[k] = s->corner[2 * i] * view.across[k] + s->corner[2 * i + 1] * view.up[k];
-        theory_need(surfmink_sphere_exp(view.toward, vector, radius, corner + 3 * i));
+        for (k = 0; k < 3; ++k)
+            vector[k] = s->corner[2 * i] * view.camera.right[k] + s->corner[2 * i + 1] * view.camera.up[k];
+        theory_need(surfmink_sphere_exp(view.camera.eye, vector, radius, corner + 3 * i));
     }
-    theory_need(surfmink_measure_sphere(corner, s->n, radius, RANKS, mu, NULL, NULL, NULL));
+    theory_need(surfmink_measure(&outline, RANKS, mu, NULL, NULL, NULL));
     tell(s, "sphere", mu);
     for (i = 0; i < s->n; ++i, at += 3 * pieces)
         theory_need(surfmink_edge_points(&sphere, corner + 3 * i, corner + 3 * ((i + 1) % s->n), pieces, at));
     plot_repeat(p, "sphere", view.x, view.y);
     plot_curve_on(p, &view, plot_in_ellipsoid, axis, 2.2, curve, s->n * pieces, 1, pen, plot_no_line);
-    plot_text(p, left + COLUMN / 2, top + 11, 11, "middle", s->name);
+    plot_text(p, left + COLUMN / 2, top + 11, 11, AT_MIDDLE, s->name);
     theory_bars(p, mu, RANKS, left + 18, top + 110, COLUMN - 24, 36, left < COLUMN);
 }
 

@@ -8,7 +8,7 @@
 #ifndef THEORY_H
 #define THEORY_H
 
-#include "../paper/plot.h"
+#include "../picture/plot.h"
 
 #include <stdlib.h>
 
@@ -45,8 +45,8 @@ static inline void theory_bars(plot *p, const double *mu, int ranks, double left
     plot_ticks(p, &axes, 1, 1, "");
     plot_bars(p, &axes, mu, 1, ranks, 9);
     if (!first) return;
-    plot_text_as(p, left - 9, top + height / 2, 11, "middle", "#000000", 0, 1, "$\\mu_p$");
-    plot_text(p, left + width + 6, top + height + 10, 9, "middle", "$p$");
+    plot_text_as(p, left - 9, top + height / 2, 11, AT_MIDDLE, "#000000", 0, 1, "$\\mu_p$");
+    plot_text(p, left + width + 6, top + height + 10, 9, AT_MIDDLE, "$p$");
 }
 
 #endif /* THEORY_H */

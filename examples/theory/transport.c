@@ -19,9 +19,10 @@ static const double octant[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
 /* mu of a spherical triangle by either transport to the middle of edge 0; also its edges. */
 static void measure(const double *corner, double *corrected, double *parallel, double *length, double *turning)
 {
+    surfmink_outline triangle = surfmink_sphere(corner, 3, 1);
     double g[2 * RANKS + 2];
-    theory_need(surfmink_measure_sphere(corner, 3, 1, RANKS, corrected, NULL, NULL, NULL));
-    theory_need(surfmink_edges_sphere(corner, 3, 1, length, turning, NULL));
+    theory_need(surfmink_measure(&triangle, RANKS, corrected, NULL, NULL, NULL));
+    theory_need(surfmink_edges(&triangle, length, turning, NULL));
     theory_need(surfmink_irreducible_parallel(length, turning, 3, 0, 0.5, RANKS, g));
     theory_need(surfmink_spectrum(g, RANKS, NULL, parallel, NULL));
 }
@@ -32,7 +33,8 @@ static void draw_octant(plot *p, double x, double y, double size)
     plot_view view = plot_look(52, 36, x, y, size);
     plot_pen pen = {"#000000", 2, ""}, arrow = {"#d55e00", 2, ""};
     double radius = 1, edge[3 * (3 * PIECES)], frame[9], from[2], to[2], middle[3], tip[3];
-    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_surface sphere = surfmink_sphere_surface(&radius);
+    surfmink_outline triangle = surfmink_sphere(octant, 3, 1);
     char name[8];
     size_t i;
     int k;
@@ -43,7 +45,7 @@ static void draw_octant(plot *p, double x, double y, double size)
             surfmink_edge_points(&sphere, octant + 3 * i, octant + 3 * ((i + 1) % 3), PIECES, edge + 3 * PIECES * i));
     plot_curve_on(p, &view, plot_in_ellipsoid, axis, 2.2, edge, (size_t)3 * PIECES, 1, pen, plot_no_line);
     for (i = 0; i < 3; ++i) {
-        theory_need(surfmink_frame_embedded(octant, octant, 3, i, frame));
+        theory_need(surfmink_frame(&triangle, i, frame));
         for (k = 0; k < 3; ++k) {
             middle[k] = edge[3 * (PIECES * i + PIECES / 2) + (size_t)k];
             tip[k] = middle[k] + 0.45 * frame[k];
@@ -54,7 +56,7 @@ static void draw_octant(plot *p, double x, double y, double size)
         snprintf(name, sizeof name, "%d", (int)i);
         for (k = 0; k < 3; ++k) tip[k] = middle[k] - 0.16 * frame[k];
         plot_project(&view, tip, to);
-        plot_text_as(p, to[0], to[1] + 4, 12, "middle", "#000000", 1, 0, name);
+        plot_text_as(p, to[0], to[1] + 4, 12, AT_MIDDLE, "#000000", 1, 0, name);
     }
 }
 
@@ -69,7 +71,7 @@ static void draw_compass(plot *p, double x, double y, double size, int count, co
     for (k = 0; k < count; ++k) {
         reach = size * length[k];
         plot_arrow(p, x, y, x + reach * cos(angle[k]), y - reach * sin(angle[k]), arrow);
-        plot_text_as(p, x + (size + 11) * cos(angle[k]), y - (size + 11) * sin(angle[k]) + 4, 11, "middle", "#000000",
+        plot_text_as(p, x + (size + 11) * cos(angle[k]), y - (size + 11) * sin(angle[k]) + 4, 11, AT_MIDDLE, "#000000",
                      1, 0, name[k]);
     }
 }
@@ -80,7 +82,7 @@ static void draw_sizes(plot *p, double left, double top)
     plot_axes axes = {0, 0, 230, 180, {60, 180}, {0, 1}, {0, 0}};
     double radius = 1, corner[9], length[3], turning[3], a[RANKS + 1], b[RANKS + 1];
     static double angle[SIZES], corrected[2][SIZES], parallel[2][SIZES];
-    surfmink_surface sphere = surfmink_sphere(&radius);
+    surfmink_surface sphere = surfmink_sphere_surface(&radius);
     static const double centre[3] = {0, 0, 1};
     int i, k;
     axes.left = left;

@@ -1,7 +1,9 @@
 /* curve.c - fuzzes what measures smooth curves: of all surfaces, from edges, from hostile callbacks; and bends. */
 #include "outline.h"
 
-static double scratch[8 * CORNERS];
+#include "../../examples/beyond/curve.h"
+
+static double scratch[SURFMINK_CURVE_SCRATCH(CORNERS, RANK)];
 
 typedef struct result {
     double mu[RANK + 1], error[RANK + 1], g[2 * RANK + 2];
@@ -9,20 +11,30 @@ typedef struct result {
     size_t bad;
 } result;
 
+static surfmink_curve_results results_of(result *r)
+{
+    surfmink_curve_results out;
+    out.mu = r->mu;
+    out.error = r->error;
+    out.g = r->g;
+    out.w = &r->w;
+    memset(r, 0x5a, sizeof *r);
+    return out;
+}
+
 static int measure_curve(const outline *o, const unsigned char *sharp, int order, result *r)
 {
-    memset(r, 0x5a, sizeof *r);
-    switch (o->kind) {
-    case PLANE:
-        return surfmink_curve_plane(o->corner, sharp, o->n, order, RANK, scratch, r->mu, r->error, r->g, &r->w,
-                                    &r->bad);
-    case SPHERE:
-        return surfmink_curve_sphere(o->corner, sharp, o->n, o->radius, order, RANK, scratch, r->mu, r->error, r->g,
-                                     &r->w, &r->bad);
-    default:
-        return surfmink_curve_embedded(o->corner, o->normal, sharp, o->n, order, RANK, scratch, r->mu, r->error, r->g,
-                                       &r->w, &r->bad);
-    }
+    surfmink_curve_options options = {0, NULL, 0, NULL};
+    surfmink_curve_results out = results_of(r);
+    surfmink_outline view = view_of(o);
+    options.order = order;
+    options.sharp = sharp;
+    return surfmink_curve(&view, &options, RANK, scratch, &out, &r->bad);
+}
+
+static int is_known_of_curves(int status)
+{
+    return is_known(status) || status == SURFMINK_CURVE_UNLIKE_EDGES;
 }
 
 /* What has to hold by itself. */
@@ -31,7 +43,7 @@ static void claim_sound(int status, result *r, size_t n)
     result untouched;
     int p;
     memset(&untouched, 0x5a, sizeof untouched);
-    CLAIM(is_known(status));
+    CLAIM(is_known_of_curves(status));
     if (status != SURFMINK_OK) {
         CLAIM(r->bad <= n);
         r->bad = untouched.bad;
@@ -42,7 +54,7 @@ static void claim_sound(int status, result *r, size_t n)
     CLAIM(all_finite(r->g, 2 * RANK + 2) && all_finite(r->error, RANK + 1));
     CLAIM(isfinite(r->w.area) && isfinite(r->w.length) && isfinite(r->w.turning) && isfinite(r->w.curvature));
     CLAIM(r->w.length > 0 && r->w.turning > 0 && r->w.condition >= 1);
-    CLAIM(r->error[0] >= 0 && r->mu[0] == 1);
+    CLAIM(r->error[0] >= 0 && r->error[0] <= 1 && r->mu[0] == 1);
     for (p = 1; p <= RANK; ++p) CLAIM(r->mu[p] >= 0 && r->mu[p] <= 1 && r->error[p] >= 0 && r->error[p] <= 1);
 }
 
@@ -62,7 +74,7 @@ static double unlike(const outline *o)
     measured m;
     double least = HUGE_VAL, most = 0;
     size_t i;
-    if (measure_edges(o, &m) != SURFMINK_OK) return HUGE_VAL;
+    if (!measure_twice(o, &m)) return HUGE_VAL;
     if (has_spike(o, &m)) return HUGE_VAL;
     for (i = 0; i < o->n; ++i) {
         least = fmin(least, m.length[i]);
@@ -109,6 +121,20 @@ static void claim_unit(const outline *o, const unsigned char *sharp, int order, 
     CLAIM(same_bits(r->mu, b.mu, sizeof b.mu) && same_bits(r->error, b.error, sizeof b.error));
 }
 
+/* The sphere by callbacks; K is some number. */
+static void claim_by_callbacks(outline *o, const unsigned char *sharp, int order)
+{
+    surfmink_surface surface = surfmink_sphere_surface(&o->radius);
+    surfmink_outline view = surfmink_on_surface(&surface, o->corner, o->n);
+    surfmink_curve_options options = {0, NULL, 0, NULL};
+    result r;
+    surfmink_curve_results out = results_of(&r);
+    options.order = order;
+    options.sharp = sharp;
+    options.curvature = o->normal[0];
+    claim_sound(surfmink_curve(&view, &options, RANK, scratch, &out, &r.bad), &r, o->n);
+}
+
 static void on_a_surface(bytes *in, int order)
 {
     unsigned char sharp[CORNERS];
@@ -116,7 +142,7 @@ static void on_a_surface(bytes *in, int order)
     result r;
     size_t i;
     int status;
-    take_outline(in, (enum kind)(take(in) % 3), &o);
+    take_outline(in, (enum surfmink_kind)(take(in) % 3), &o);
     for (i = 0; i < o.n; ++i) sharp[i] = take(in) < 64;
     status = measure_curve(&o, NULL, order, &r);
     claim_sound(status, &r, o.n);
@@ -127,6 +153,7 @@ static void on_a_surface(bytes *in, int order)
     claim_relabelled(&o, sharp, order, 1 + take(in), status, &r);
     claim_unit(&o, sharp, order, status, &r, 0x1p-40);
     claim_unit(&o, sharp, order, status, &r, 0x1p+101);
+    if (o.kind == SURFMINK_SPHERE) claim_by_callbacks(&o, sharp, order);
 }
 
 /* --- edges and bends ---------------------------------------------------------------------------------------------- */
@@ -135,10 +162,14 @@ static void from_edges(bytes *in)
 {
     double length[CORNERS], turning[CORNERS], bend[CORNERS], twist[CORNERS], curvature[CORNERS];
     unsigned char sharp[CORNERS];
+    surfmink_curve_measured edges = {0, NULL, NULL, NULL, NULL, NULL, NULL};
+    surfmink_curve_results out;
     result r;
     size_t n = take(in) % (CORNERS + 1), i;
     unsigned which = take(in);
     int status;
+    edges.length = length;
+    edges.turning = turning;
     for (i = 0; i < n; ++i) {
         length[i] = which & 1 ? take_number(in) : fabs(take_number(in));
         turning[i] = which & 2 ? take_number(in) : take_number(in) / 16;
@@ -147,14 +178,17 @@ static void from_edges(bytes *in)
         curvature[i] = take_number(in);
         sharp[i] = take(in) < 64;
     }
-    memset(&r, 0x5a, sizeof r);
-    status = surfmink_curve_edges(length, turning, which & 8 ? bend : NULL, which & 16 ? twist : NULL,
-                                  which & 32 ? curvature : NULL, which & 64 ? sharp : NULL, n, RANK, scratch, r.mu, r.g,
-                                  &r.w);
+    edges.n = n;
+    edges.bend = which & 8 ? bend : NULL;
+    edges.twist = which & 16 ? twist : NULL;
+    edges.curvature = which & 32 ? curvature : NULL;
+    edges.sharp = which & 64 ? sharp : NULL;
+    out = results_of(&r);
+    status = surfmink_curve_edges(&edges, RANK, scratch, &out);
     if (status != SURFMINK_OK) {
         r.bad = n;
     } else {
-        memset(r.error, 0, sizeof r.error);
+        memset(r.error, 0, sizeof r.error); /* not measured edge by edge */
         CLAIM(!(which & 8) == !(which & 16));
     }
     claim_sound(status, &r, n);
@@ -165,11 +199,13 @@ static void bends(bytes *in)
     double bend[CORNERS], twist[CORNERS];
     size_t i, bad = CORNERS + 1;
     outline o;
+    surfmink_outline view;
     int status;
-    take_outline(in, EMBEDDED, &o);
+    take_outline(in, SURFMINK_EMBEDDED, &o);
     memset(bend, 0x5a, sizeof bend);
     memset(twist, 0x5a, sizeof twist);
-    status = surfmink_bends_embedded(o.corner, o.normal, o.n, bend, twist, &bad);
+    view = view_of(&o);
+    status = surfmink_curve_bends(&view, bend, twist, &bad);
     CLAIM(is_known(status));
     if (status != SURFMINK_OK) {
         CLAIM(bad <= o.n && is_untouched(bend, sizeof bend) && is_untouched(twist, sizeof twist));
@@ -205,6 +241,9 @@ static void by_callbacks(bytes *in, int order)
 {
     double corner[2 * CORNERS] = {0};
     surfmink_surface surface;
+    surfmink_outline view;
+    surfmink_curve_options options = {0, NULL, 0, NULL};
+    surfmink_curve_results out;
     result r;
     size_t n = take(in) % (CORNERS + 1);
     unsigned which = take(in);
@@ -213,10 +252,12 @@ static void by_callbacks(bytes *in, int order)
     surface.stride = which & 3 ? 2 : 0;
     surface.log = which & 12 ? some_log : NULL;
     surface.exp = NULL;
-    memset(&r, 0x5a, sizeof r);
-    claim_sound(surfmink_curve_surface(&surface, constant, which & 16 ? some_curvature : NULL, corner, NULL, n, order,
-                                       RANK, scratch, r.mu, r.error, r.g, &r.w, &r.bad),
-                &r, n);
+    options.order = order;
+    options.curvature = constant;
+    options.curvature_at = which & 16 ? some_curvature : NULL;
+    view = surfmink_on_surface(&surface, corner, n);
+    out = results_of(&r);
+    claim_sound(surfmink_curve(&view, &options, RANK, scratch, &out, &r.bad), &r, n);
 }
 
 static void fuzz(bytes in)

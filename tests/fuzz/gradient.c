@@ -1,4 +1,7 @@
-/* gradient.c - fuzzes gradients: the easy doors, the steps and batches, against measuring and against each other. */
+/* gradient.c - fuzzes examples/beyond/gradient.h: single calls, steps and batches, against measuring and against each
+   other; and the noise of mu_p. */
+#include "examples/beyond/gradient.h"
+
 #include "outline.h"
 
 /* What a gradient is made of, and what comes out. */
@@ -31,61 +34,84 @@ static void take_energy(bytes *in, energy *e)
     e->weights.shared = 0;
 }
 
-static int gradient(const outline *o, const energy *e, pulled *out)
+static int gradient(const outline *o, const energy *e, pulled *to)
 {
-    double scratch[6 * CORNERS];
-    memset(out, 0x5a, sizeof *out);
-    if (o->kind == PLANE)
-        return surfmink_gradient_plane(o->corner, o->n, RANK, &e->weights, out->mu, out->g, &out->w, out->by_corner,
-                                       scratch, &out->bad);
-    if (o->kind == SPHERE)
-        return surfmink_gradient_sphere(o->corner, o->n, o->radius, RANK, &e->weights, out->mu, out->g, &out->w,
-                                        out->by_corner, scratch, &out->bad);
-    return surfmink_gradient_embedded(o->corner, o->normal, o->n, RANK, &e->weights, out->mu, out->g, &out->w,
-                                      out->by_corner, out->by_normal, scratch, &out->bad);
-}
-
-static int pull(const outline *o, const double *by_length, const double *by_turning, pulled *out)
-{
-    if (o->kind == PLANE) return surfmink_pull_plane(o->corner, o->n, by_length, by_turning, out->by_corner, &out->bad);
-    if (o->kind == SPHERE)
-        return surfmink_pull_sphere(o->corner, o->n, o->radius, by_length, by_turning, out->by_corner, &out->bad);
-    return surfmink_pull_embedded(o->corner, o->normal, o->n, by_length, by_turning, out->by_corner, out->by_normal,
-                                  &out->bad);
+    double scratch[4 * CORNERS + 2 * RANK + 2];
+    surfmink_outline view = view_of(o);
+    surfmink_gradients out;
+    memset(to, 0x5a, sizeof *to);
+    out.status = NULL;
+    out.bad = &to->bad;
+    out.mu = to->mu;
+    out.g = to->g;
+    out.w = &to->w;
+    out.by_corner = to->by_corner;
+    out.by_normal = to->by_normal;
+    return surfmink_gradient(&view, RANK, &e->weights, &out, scratch);
 }
 
 /* Three copies in one batch; the middle one is refused. */
-static void batch(const outline *o, const energy *e, pulled *out, int status[3], size_t offset[4])
+static void batch(const outline *o, const energy *e, const pulled *single, int status)
 {
     double corner[9 * CORNERS], normal[9 * CORNERS], by_corner[9 * CORNERS], by_normal[9 * CORNERS];
-    double scratch[18 * CORNERS];
-    size_t dim = dim_of(o), i, size = dim * o->n * sizeof *corner;
+    double scratch[12 * CORNERS + 3 * (2 * RANK + 2)];
+    size_t dim = dim_of(o), i, size = dim * o->n * sizeof *corner, offset[4] = {0, 0, 0, 0};
     surfmink_weights shared = e->weights;
-    surfmink_results results;
-    memset(&results, 0, sizeof results);
-    results.status = status;
+    surfmink_outline all = view_of(o);
+    surfmink_gradients out;
+    int statuses[3];
+    memset(&out, 0, sizeof out);
+    out.status = statuses;
+    out.by_corner = by_corner;
+    out.by_normal = by_normal;
     shared.shared = 1;
-    offset[0] = 0;
     for (i = 0; i < 3; ++i) {
         memcpy(corner + dim * offset[i], o->corner, i == 1 ? 0 : size);
         memcpy(normal + 3 * offset[i], o->normal, i == 1 ? 0 : 3 * o->n * sizeof *normal);
         offset[i + 1] = offset[i] + (i == 1 ? 0 : o->n);
     }
+    all.n = offset[3];
+    all.corner = corner;
+    if (all.normal) all.normal = normal;
     memset(by_corner, 0x5a, sizeof by_corner);
     memset(by_normal, 0x5a, sizeof by_normal);
-    if (o->kind == PLANE)
-        surfmink_batch_gradient_plane(corner, offset, 3, RANK, &shared, &results, by_corner, scratch);
-    else if (o->kind == SPHERE)
-        surfmink_batch_gradient_sphere(corner, offset, 3, o->radius, RANK, &shared, &results, by_corner, scratch);
-    else
-        surfmink_batch_gradient_embedded(corner, normal, offset, 3, RANK, &shared, &results, by_corner, by_normal,
-                                         scratch);
-    CLAIM(status[1] == SURFMINK_TOO_FEW_CORNERS || status[0] == SURFMINK_BAD_ARGUMENT);
-    CLAIM(same_bits(by_corner, by_corner + dim * o->n, size));
+    CLAIM(surfmink_batch_gradient(&all, offset, 3, RANK, &shared, &out, scratch) ==
+          (size_t)(1 + 2 * (status != SURFMINK_OK)));
+    CLAIM(statuses[0] == status && statuses[2] == status);
+    CLAIM(statuses[1] == SURFMINK_TOO_FEW_CORNERS || status == SURFMINK_BAD_ARGUMENT);
+    for (i = 0; i < 3; i += 2) {
+        CLAIM(same_bits(by_corner + dim * offset[i], single->by_corner, size));
+        CLAIM(same_bits(by_normal + 3 * offset[i], single->by_normal, 3 * o->n * sizeof *normal));
+    }
     CLAIM(is_untouched(by_corner + 2 * dim * o->n, sizeof by_corner - 2 * size));
-    memset(out, 0x5a, sizeof *out);
-    memcpy(out->by_corner, by_corner, size);
-    if (o->kind == EMBEDDED) memcpy(out->by_normal, by_normal, size);
+}
+
+/* How sure mu_p is: no claim of accuracy, but numbers. */
+static void noise(const outline *o, const measured *m, int status, bytes *in)
+{
+    double scratch[18 * CORNERS + 2 * RANK + 2], deviation = take_number(in);
+    double mu[RANK + 1], sigma[RANK + 1], bias[RANK + 1];
+    surfmink_outline view = view_of(o);
+    surfmink_uncertainty out;
+    size_t bad = 99;
+    int p, got;
+    out.mu = mu;
+    out.sigma = sigma;
+    out.bias = bias;
+    out.bad = &bad;
+    memset(sigma, 0x5a, sizeof sigma);
+    if (take(in) & 1) deviation = 1e-3 * m->w.length;
+    got = surfmink_noise(&view, RANK, deviation, &out, scratch);
+    if (got != SURFMINK_OK) {
+        CLAIM((got == status || got == SURFMINK_BAD_ARGUMENT) && bad <= o->n && is_untouched(sigma, sizeof sigma));
+        return;
+    }
+    CLAIM(status == SURFMINK_OK && deviation >= 0 && sigma[0] == 0 && bias[0] == 0);
+    for (p = 1; p <= RANK; ++p) {
+        CLAIM(!(sigma[p] < 0));
+        if (deviation == 1e-3 * m->w.length && m->w.condition < 100 && is_tame(o->corner, dim_of(o) * o->n))
+            CLAIM(isfinite(sigma[p]) && isfinite(bias[p]));
+    }
 }
 
 static double norm(const double *v, size_t n)
@@ -118,21 +144,23 @@ static int is_plain(const outline *o, const measured *m)
         if (m->length[i] > most) most = m->length[i];
     }
     for (p = 1; p <= RANK; ++p)
-        if (m->mu[p] < 1e-3 && !(o->kind == PLANE && p == 1)) return 0;
-    return least > 1e-4 * most && most > 1e-3 && most < 1e3 && (o->kind != SPHERE || m->w.length < 5 * o->radius);
+        if (m->mu[p] < 1e-3 && !(o->kind == SURFMINK_PLANE && p == 1)) return 0;
+    return least > 1e-4 * most && most > 1e-3 && most < 1e3 &&
+           (o->kind != SURFMINK_SPHERE || m->w.length < 5 * o->radius);
 }
 
 static void fuzz(bytes in)
 {
-    static const enum kind kind_of[3] = {PLANE, SPHERE, EMBEDDED};
     outline o;
     energy e;
     measured m;
-    pulled got, steps, many, untouched;
-    double by_g[2 * RANK + 2], by_length[CORNERS], by_turning[CORNERS], size, radius;
-    size_t offset[4], numbers;
-    int status, statuses[3];
-    take_outline(&in, kind_of[take(&in) % 3], &o);
+    pulled got, steps, untouched;
+    double by_g[2 * RANK + 2], by_length[CORNERS], by_turning[CORNERS], scratch[2 * CORNERS], size, radius;
+    surfmink_outline view;
+    size_t numbers;
+    int status;
+    take_outline(&in, (enum surfmink_kind)(take(&in) % 3), &o);
+    view = view_of(&o);
     take_energy(&in, &e);
     numbers = dim_of(&o) * o.n;
     status = gradient(&o, &e, &got);
@@ -140,26 +168,27 @@ static void fuzz(bytes in)
     CLAIM(is_known(status));
     CLAIM(measure_twice(&o, &m) || m.status != SURFMINK_OK);
     CLAIM(status == m.status);
-    batch(&o, &e, &many, statuses, offset);
-    CLAIM(statuses[0] == statuses[2]);
+    batch(&o, &e, &got, status);
+    noise(&o, &m, m.status, &in);
     if (status != SURFMINK_OK) {
         CLAIM(got.bad <= o.n);
         got.bad = untouched.bad;
         CLAIM(same_bits(&got, &untouched, sizeof got));
         return;
     }
-    CLAIM(same_bits(got.mu, m.mu, sizeof m.mu) && same_bits(got.g, m.g, sizeof m.g));
+    CLAIM(same_bits(got.g, m.g, sizeof m.g) && same_bits(&got.w, &m.w, sizeof m.w));
+    if (m.w.length > 1e-290) CLAIM(same_bits(got.mu, m.mu, sizeof m.mu)); /* else g has lost digits */
     CLAIM(is_untouched(got.by_corner + numbers, (3 * CORNERS - numbers) * sizeof *got.by_corner));
-    CLAIM(o.kind == EMBEDDED || is_untouched(got.by_normal, sizeof got.by_normal));
+    CLAIM(o.kind == SURFMINK_EMBEDDED || is_untouched(got.by_normal, sizeof got.by_normal));
     CLAIM(surfmink_pull_spectrum(&e.weights, m.g, RANK, by_g) == SURFMINK_OK);
     CLAIM(surfmink_pull_edges(by_g, RANK, m.length, m.turning, o.n, by_length, by_turning) == SURFMINK_OK ||
           m.w.condition > 1e6 || has_spike(&o, &m));
     if (!is_plain(&o, &m)) return;
-    CLAIM(all_finite(got.by_corner, numbers) && (o.kind != EMBEDDED || all_finite(got.by_normal, 3 * o.n)));
-    CLAIM(pull(&o, by_length, by_turning, &steps) == SURFMINK_OK);
+    CLAIM(all_finite(got.by_corner, numbers) && (o.kind != SURFMINK_EMBEDDED || all_finite(got.by_normal, 3 * o.n)));
+    CLAIM(surfmink_pull_corners(&view, by_length, by_turning, steps.by_corner, steps.by_normal, scratch, NULL) ==
+          SURFMINK_OK);
     size = norm(got.by_corner, numbers) + norm(by_length, o.n);
     radius = norm(o.corner, numbers);
-    if (o.kind == SPHERE) size += (norm(by_turning, o.n) + o.radius * norm(by_length, o.n)) / radius;
+    if (o.kind == SURFMINK_SPHERE) size += (norm(by_turning, o.n) + o.radius * norm(by_length, o.n)) / radius;
     CLAIM(distance(got.by_corner, steps.by_corner, numbers) <= 1e-7 * size);
-    CLAIM(statuses[0] == SURFMINK_OK && distance(got.by_corner, many.by_corner, numbers) <= 1e-7 * size);
 }

@@ -154,7 +154,7 @@ static void fuzz(bytes in)
     }
     if (in.left == 0 || second.left == 0) return; /* fmemopen refuses it */
     file = open_bytes(&in);
-    status = mesh_read_stream(&m, file, "mesh", &error);
+    status = mesh_read_stream(&m, file, "mesh", NULL, &error);
     fclose(file);
     if (status) {
         CLAIM(status == error.status && strncmp(error.text, "mesh", 4) == 0);
@@ -164,7 +164,7 @@ static void fuzz(bytes in)
     CLAIM(m.triangles > 0 && all_finite(m.vertex, 3 * m.vertices));
     for (h = 0; h < 3 * m.triangles; ++h) CLAIM(m.triangle[h] < m.vertices);
     file = open_bytes(&second);
-    status = mesh_read_field_stream(&m, file, "field", &field, &error);
+    status = mesh_read_field_stream(&m, file, "field", &field, NULL, &error);
     if (status == MESH_OK)
         CLAIM(all_finite(field, m.vertices));
     else

@@ -10,14 +10,15 @@
    Units are SVG's: about 1/96 inch, y downwards. Nothing is kept: every call writes its element and forgets it, so what
    is drawn later lies on top. The first failure to write is remembered and comes back from plot_end.
 
-   Colours are those of Okabe and Ito, which colour-blind readers can tell apart; ramps get lighter throughout, so they
-   survive a black and white printer, and lines also differ by marker and dash.
+   Colours of lines are those of Okabe and Ito, which colour-blind readers can tell apart; lines also differ by marker and
+   dash. The ramp is that of the command.
    Text has a little markup: $h$ is italic, _x or _{xy} below, ^x or ^{xy} above, and \mu \nu \pi ... are Greek.      */
 #ifndef PLOT_H
 #define PLOT_H
 
-#include <math.h>
-#include <stdio.h>
+#include "camera.h"
+#include "svg.h"
+
 #include <string.h>
 
 #define PLOT_PI 3.14159265358979323846
@@ -55,12 +56,11 @@ static inline int plot_begin(plot *p, const char *path, double width, double hei
         perror(path);
         return 1;
     }
-    fprintf(p->file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"%g\" "
-            "height=\"%g\" viewBox=\"0 0 %g %g\" "
-            "font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" stroke-linejoin=\"round\" "
-            "stroke-linecap=\"round\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
-            width, height, width, height);
+    begin_svg(
+        p->file, width, height,
+        "xmlns:xlink=\"http://www.w3.org/1999/xlink\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" "
+        "stroke-linejoin=\"round\" stroke-linecap=\"round\"");
+    put_paper(p->file);
     return 0;
 }
 
@@ -75,14 +75,11 @@ static inline int plot_end(plot *p)
 
 /* --- colours ------------------------------------------------------------------------------------------------------ */
 
-/* From dark blue over green to light yellow for t = 0 .. 1, into text of 8 characters. Lightness rises evenly. */
+/* The colour of t = 0 .. 1, into text of 8 characters. */
 static inline const char *plot_ramp(double t, char text[8])
 {
-    static const double stop[6][3] = {{48, 18, 89},   {54, 70, 138},  {38, 118, 142},
-                                      {42, 164, 120}, {130, 204, 80}, {240, 228, 66}};
-    double at = (t < 0 ? 0 : t > 1 ? 1 : t) * 5;
-    int k = at < 4 ? (int)at : 4, c, rgb[3];
-    for (c = 0; c < 3; ++c) rgb[c] = (int)(stop[k][c] + (at - k) * (stop[k + 1][c] - stop[k][c]) + 0.5);
+    int rgb[3];
+    find_color(t, rgb);
     snprintf(text, 8, "#%02x%02x%02x", (unsigned)rgb[0] & 255u, (unsigned)rgb[1] & 255u, (unsigned)rgb[2] & 255u);
     return text;
 }
@@ -159,28 +156,28 @@ static inline void plot__markup(plot *p, const char *text, double size)
     }
 }
 
-/* Text that starts, is centred or ends at (x, y) for place "start", "middle", "end"; turned to run upwards if asked. */
-static inline void plot_text_as(plot *p, double x, double y, double size, const char *place, const char *colour,
+/* Text at (x, y); turned to run upwards if asked. */
+static inline void plot_text_as(plot *p, double x, double y, double size, enum anchor anchor, const char *colour,
                                 int bold, int upwards, const char *text)
 {
-    fprintf(p->file, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%g\" text-anchor=\"%s\" fill=\"%s\"", x, y, size, place,
-            colour);
-    if (bold) fprintf(p->file, " font-weight=\"bold\"");
-    if (upwards) fprintf(p->file, " transform=\"rotate(-90 %.1f %.1f)\"", x, y);
-    fprintf(p->file, " xml:space=\"preserve\">");
+    char attributes[160], turned[64] = "";
+    if (upwards) snprintf(turned, sizeof turned, " transform=\"rotate(-90 %.1f %.1f)\"", x, y);
+    snprintf(attributes, sizeof attributes, "font-size=\"%g\" fill=\"%s\"%s%s xml:space=\"preserve\"", size, colour,
+             bold ? " font-weight=\"bold\"" : "", turned);
+    begin_text(p->file, x, y, anchor, attributes);
     plot__markup(p, text, size);
     fprintf(p->file, "</text>\n");
 }
 
-static inline void plot_text(plot *p, double x, double y, double size, const char *place, const char *text)
+static inline void plot_text(plot *p, double x, double y, double size, enum anchor anchor, const char *text)
 {
-    plot_text_as(p, x, y, size, place, "#000000", 0, 0, text);
+    plot_text_as(p, x, y, size, anchor, "#000000", 0, 0, text);
 }
 
 /* (a), (b), ... of a figure. */
 static inline void plot_letter(plot *p, double x, double y, const char *text)
 {
-    plot_text_as(p, x, y, 13, "start", "#000000", 1, 0, text);
+    plot_text_as(p, x, y, 13, AT_START, "#000000", 1, 0, text);
 }
 
 /* --- lines and areas ---------------------------------------------------------------------------------------------- */
@@ -193,9 +190,21 @@ static inline void plot__pen(plot *p, plot_pen pen)
 
 static inline void plot_line(plot *p, double x1, double y1, double x2, double y2, plot_pen pen)
 {
-    fprintf(p->file, "<line x1=\"%.2f\" y1=\"%.2f\" x2=\"%.2f\" y2=\"%.2f\"", x1, y1, x2, y2);
+    fputs("<line", p->file);
+    put_attribute(p->file, "x1", x1);
+    put_attribute(p->file, "y1", y1);
+    put_attribute(p->file, "x2", x2);
+    put_attribute(p->file, "y2", y2);
     plot__pen(p, pen);
     fprintf(p->file, "/>\n");
+}
+
+/* A point of a long path: a tenth of a pixel is fine enough. */
+static inline void plot__point(plot *p, double x, double y)
+{
+    put_pixels(p->file, floor(10 * x + 0.5) / 10);
+    fputc(' ', p->file);
+    put_pixels(p->file, floor(10 * y + 0.5) / 10);
 }
 
 /* A chain of n points x y, closed and filled if fill is a colour. */
@@ -204,7 +213,10 @@ static inline void plot_path(plot *p, const double *xy, size_t n, int closed, pl
     size_t i;
     if (n == 0) return;
     fprintf(p->file, "<path d=\"M");
-    for (i = 0; i < n; ++i) fprintf(p->file, "%s%.1f %.1f", i ? " " : "", xy[2 * i], xy[2 * i + 1]);
+    for (i = 0; i < n; ++i) {
+        if (i > 0) fputc(' ', p->file);
+        plot__point(p, xy[2 * i], xy[2 * i + 1]);
+    }
     fprintf(p->file, "%s\" fill=\"%s\"", closed ? "Z" : "", fill);
     plot__pen(p, pen);
     fprintf(p->file, "/>\n");
@@ -212,15 +224,16 @@ static inline void plot_path(plot *p, const double *xy, size_t n, int closed, pl
 
 static inline void plot_box(plot *p, double x, double y, double width, double height, plot_pen pen, const char *fill)
 {
-    fprintf(p->file, "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" fill=\"%s\"", x, y, width, height,
-            fill);
+    begin_rect(p->file, x, y, width, height);
+    fprintf(p->file, " fill=\"%s\"", fill);
     plot__pen(p, pen);
     fprintf(p->file, "/>\n");
 }
 
 static inline void plot_disc(plot *p, double x, double y, double radius, plot_pen pen, const char *fill)
 {
-    fprintf(p->file, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"%g\" fill=\"%s\"", x, y, radius, fill);
+    begin_circle(p->file, x, y, radius);
+    fprintf(p->file, " fill=\"%s\"", fill);
     plot__pen(p, pen);
     fprintf(p->file, "/>\n");
 }
@@ -324,12 +337,12 @@ static inline void plot__tick(plot *p, const plot_axes *axes, int dim, double va
         at = plot_x(axes, value);
         plot_line(p, at, axes->top, at, bottom, plot_faint);
         plot_line(p, at, bottom, at, bottom - 4, plot_thin);
-        plot_text(p, at, bottom + 13, 10, "middle", label);
+        plot_text(p, at, bottom + 13, 10, AT_MIDDLE, label);
     } else {
         at = plot_y(axes, value);
         plot_line(p, axes->left, at, right, at, plot_faint);
         plot_line(p, axes->left, at, axes->left + 4, at, plot_thin);
-        plot_text(p, axes->left - 5, at + 3.5, 10, "end", label);
+        plot_text(p, axes->left - 5, at + 3.5, 10, AT_END, label);
     }
 }
 
@@ -363,8 +376,8 @@ static inline void plot_frame(plot *p, const plot_axes *axes, double step_x, dou
     if (step_x > 0 || axes->logarithmic[0]) plot_ticks(p, axes, 0, step_x, "");
     if (step_y > 0 || axes->logarithmic[1]) plot_ticks(p, axes, 1, step_y, "");
     plot_box(p, axes->left, axes->top, axes->width, axes->height, plot_thin, "none");
-    plot_text(p, axes->left + axes->width / 2, axes->top + axes->height + 30, 11, "middle", title_x);
-    plot_text_as(p, axes->left - 36, axes->top + axes->height / 2, 11, "middle", "#000000", 0, 1, title_y);
+    plot_text(p, axes->left + axes->width / 2, axes->top + axes->height + 30, 11, AT_MIDDLE, title_x);
+    plot_text_as(p, axes->left - 36, axes->top + axes->height / 2, 11, AT_MIDDLE, "#000000", 0, 1, title_y);
 }
 
 /* n points of a function; what leaves the box is cut off. */
@@ -372,10 +385,14 @@ static inline void plot_curve(plot *p, const plot_axes *axes, const double *x, c
                               enum plot_marker marker)
 {
     size_t i;
-    fprintf(p->file, "<clipPath id=\"c%d\"><rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\"/></clipPath>\n",
-            ++p->names, axes->left - 4, axes->top - 4, axes->width + 8, axes->height + 8);
+    fprintf(p->file, "<clipPath id=\"c%d\">", ++p->names);
+    begin_rect(p->file, axes->left - 4, axes->top - 4, axes->width + 8, axes->height + 8);
+    fputs("/></clipPath>\n", p->file);
     fprintf(p->file, "<g clip-path=\"url(#c%d)\">\n<path d=\"M", p->names);
-    for (i = 0; i < n; ++i) fprintf(p->file, "%s%.1f %.1f", i ? " " : "", plot_x(axes, x[i]), plot_y(axes, y[i]));
+    for (i = 0; i < n; ++i) {
+        if (i > 0) fputc(' ', p->file);
+        plot__point(p, plot_x(axes, x[i]), plot_y(axes, y[i]));
+    }
     fprintf(p->file, "\" fill=\"none\"");
     plot__pen(p, pen);
     fprintf(p->file, "/>\n");
@@ -389,7 +406,7 @@ static inline void plot_key(plot *p, double x, double y, plot_pen pen, enum plot
 {
     if (pen.width > 0) plot_line(p, x, y, x + 24, y, pen);
     plot_mark(p, marker, x + 12, y, 3, pen.colour);
-    plot_text(p, x + 29, y + 3.5, 10, "start", text);
+    plot_text(p, x + 29, y + 3.5, 10, AT_START, text);
 }
 
 /* Bars of values 0 .. 1 for p = first .. last, each with its p below it, so that colour only repeats what it says. */
@@ -405,7 +422,7 @@ static inline void plot_bars(plot *p, const plot_axes *axes, const double *value
         plot_box(p, x - width / 2, y, width, bottom - y, edge,
                  plot_ramp(0.1 + 0.85 * (k - first) / (last > first ? last - first : 1), colour));
         snprintf(label, sizeof label, "%d", k);
-        plot_text(p, x, bottom + text + 1, text, "middle", label);
+        plot_text(p, x, bottom + text + 1, text, AT_MIDDLE, label);
     }
     plot_line(p, axes->left, bottom, axes->left + axes->width, bottom, plot_thin);
 }
@@ -419,16 +436,16 @@ static inline void plot_scale(plot *p, double x, double y, double width, double 
         plot_box(p, x, y + height * (steps - 1 - k) / steps, width, height / steps + 0.4, plot_no_line,
                  plot_ramp((k + 0.5) / steps, colour));
     plot_box(p, x, y, width, height, plot_thin, "none");
-    plot_text(p, x + width + 4, y + height + 3.5, 10, "start", "0");
-    plot_text(p, x + width + 4, y + 3.5, 10, "start", "1");
-    plot_text(p, x + width / 2, y - 7, 11, "middle", title);
+    plot_text(p, x + width + 4, y + height + 3.5, 10, AT_START, "0");
+    plot_text(p, x + width + 4, y + 3.5, 10, AT_START, "1");
+    plot_text(p, x + width / 2, y - 7, 11, AT_MIDDLE, title);
 }
 
 /* --- surfaces, seen from far away --------------------------------------------------------------------------------- */
 
 typedef struct plot_view {
-    double across[3], up[3], toward[3]; /* to the right, upwards, to the eye */
-    double x, y, scale;                 /* where the origin is drawn, and how long a unit is */
+    camera camera;
+    double x, y, scale; /* where the origin is drawn, and how long a unit is */
 } plot_view;
 
 /* A solid, as a function that is negative inside it. What it hides is found by walking from a point to the eye. */
@@ -437,32 +454,18 @@ typedef double plot_solid(const void *shape, const double x[3]);
 /* The view from an azimuth round the z axis and an elevation above the xy plane, both in degrees. */
 static inline plot_view plot_look(double azimuth, double elevation, double x, double y, double scale)
 {
-    double a = azimuth * PLOT_PI / 180, e = elevation * PLOT_PI / 180;
     plot_view view;
-    view.toward[0] = cos(e) * cos(a);
-    view.toward[1] = cos(e) * sin(a);
-    view.toward[2] = sin(e);
-    view.across[0] = -sin(a);
-    view.across[1] = cos(a);
-    view.across[2] = 0;
-    view.up[0] = -sin(e) * cos(a);
-    view.up[1] = -sin(e) * sin(a);
-    view.up[2] = cos(e);
+    look_from_lonlat(&view.camera, azimuth, elevation);
     view.x = x;
     view.y = y;
     view.scale = scale;
     return view;
 }
 
-static inline double plot__dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static inline void plot_project(const plot_view *view, const double x[3], double xy[2])
 {
-    xy[0] = view->x + view->scale * plot__dot(x, view->across);
-    xy[1] = view->y - view->scale * plot__dot(x, view->up);
+    xy[0] = view->x + view->scale * dot(x, view->camera.right);
+    xy[1] = view->y - view->scale * dot(x, view->camera.up);
 }
 
 /* Does the solid hide a point of its surface? size: how far to walk, more than its diameter. */
@@ -473,7 +476,7 @@ static inline int plot_hidden(const plot_view *view, plot_solid *solid, const vo
     int step, k, steps = 160;
     for (step = 1; step <= steps; ++step) {
         walked = size * (step + 0.0) * step / steps / steps; /* small steps first: most is hidden by what is near */
-        for (k = 0; k < 3; ++k) y[k] = x[k] + walked * view->toward[k];
+        for (k = 0; k < 3; ++k) y[k] = x[k] + walked * view->camera.eye[k];
         if (solid(shape, y) < -1e-6) return 1;
     }
     return 0;
@@ -518,12 +521,12 @@ static inline void plot_ellipsoid(plot *p, const plot_view *view, const double a
     double m[2][3], a, b, c, middle, spread, turn;
     int k;
     for (k = 0; k < 3; ++k) {
-        m[0][k] = view->scale * view->across[k] * axis[k];
-        m[1][k] = -view->scale * view->up[k] * axis[k];
+        m[0][k] = view->scale * view->camera.right[k] * axis[k];
+        m[1][k] = -view->scale * view->camera.up[k] * axis[k];
     }
-    a = plot__dot(m[0], m[0]);
-    b = plot__dot(m[0], m[1]);
-    c = plot__dot(m[1], m[1]);
+    a = dot(m[0], m[0]);
+    b = dot(m[0], m[1]);
+    c = dot(m[1], m[1]);
     middle = (a + c) / 2;
     spread = sqrt((a - c) * (a - c) / 4 + b * b);
     turn = atan2(2 * b, a - c) / 2;
@@ -595,10 +598,10 @@ static inline void plot_torus(plot *p, const plot_view *view, const double radiu
                     seen += !plot_hidden(view, plot_in_torus, radius, 2.2 * (radius[0] + radius[1]), x);
                 }
                 if (seen == 0 || (seen == 5) != whole) continue;
-                light = 0.85 * plot__dot(n, view->toward) - 0.25 * plot__dot(n, view->across) +
-                        0.3 * plot__dot(n, view->up);
+                light =
+                    0.85 * dot(n, view->camera.eye) - 0.25 * dot(n, view->camera.right) + 0.3 * dot(n, view->camera.up);
                 patch[count].shade = (int)((SHADES - 1) * fmin(fmax(light, 0), 1));
-                patch[count].depth = whole ? patch[count].shade : plot__dot(x, view->toward);
+                patch[count].depth = whole ? patch[count].shade : dot(x, view->camera.eye);
                 ++count;
             }
         for (i = 1; i < count; ++i) { /* insertion sort: a thousand patches */
@@ -631,8 +634,8 @@ static inline void plot_torus_outline(plot *p, const plot_view *view, const doub
     for (branch = 0; branch < 2; ++branch) {
         for (k = 0; k <= 360; ++k) {
             phi = k * PLOT_PI / 180;
-            theta =
-                atan2(-(view->toward[0] * cos(phi) + view->toward[1] * sin(phi)), view->toward[2]) + branch * PLOT_PI;
+            theta = atan2(-(view->camera.eye[0] * cos(phi) + view->camera.eye[1] * sin(phi)), view->camera.eye[2]) +
+                    branch * PLOT_PI;
             x[3 * k] = (radius[0] + radius[1] * cos(theta)) * cos(phi);
             x[3 * k + 1] = (radius[0] + radius[1] * cos(theta)) * sin(phi);
             x[3 * k + 2] = radius[1] * sin(theta);

@@ -1,0 +1,51 @@
+/* parts.h - step 2 of the command: a polygon -> its rings, repaired -> the batch. */
+#ifndef SURFMINK_COMMAND_PARTS_H
+#define SURFMINK_COMMAND_PARTS_H
+
+#include "batch.h"
+#include "repair.h"
+
+/* Ring number `part` of a polygon. One that runs the other way round than the first is a hole, and is turned. */
+static void take_part(polygon *part, const polygon *p, size_t first, size_t end, size_t number, const double turn[3])
+{
+    size_t stride = stride_of(p->surface), i;
+    double area[3];
+    char *id = (char *)resize(NULL, strlen(p->id) + 64, 1);
+    area_vector(p, first, end, area);
+    i = turn[0] * area[0] + turn[1] * area[1] + turn[2] * area[2] < 0;
+    sprintf(id, "%s/%lu%s", p->id, (unsigned long)number, i ? "/hole" : "");
+    begin_polygon(part, p->surface, id, p->line[first]);
+    free(id);
+    part->fault = p->fault;
+    part->fault_line = p->fault_line;
+    for (; first < end; ++first)
+        add_corner(part, p->corner + first * stride, p->surface == EMBEDDED ? p->normal + 3 * first : NULL,
+                   p->line[first]);
+    if (i) reverse_corners(part);
+}
+
+/* The polygon, or each of its rings if they are to be outlines of their own, goes to the batch as the options want it.
+   part: room for one of them. */
+static void add_parts(batch *b, polygon *p, polygon *part, const options *o)
+{
+    size_t first, end, number = 0;
+    double turn[3];
+    if (o->parts) {
+        order_corners(p);
+        end = ring_end(p, 0);
+        if (end + 1 < p->n) {
+            area_vector(p, 0, end, turn);
+            for (first = 0; first < p->n; first = end + 1) {
+                end = ring_end(p, first);
+                take_part(part, p, first, end, number++, turn);
+                repair_polygon(part, o);
+                add_to_batch(b, part);
+            }
+            return;
+        }
+    }
+    repair_polygon(p, o);
+    add_to_batch(b, p);
+}
+
+#endif
