@@ -1642,50 +1642,51 @@ static void surfmink__mean_normal(const surfmink_outline *o, double mean[3])
    between chords and geodesics: l a / 12 of an edge along which the normal turns by a = dn . e, in the plane of e and n.
    The part of the vector area along its own direction N is the area times the mean of n . N = 1 - |n - N|^2 / 2. Inside,
    n - N is linear in the place to first order, and so the mean of its square over a triangle (centre, x, y) is a sixth
-   of |a|^2 + a.b + |b|^2, where a and b are n - N at x and y; the triangles are weighted by their area. */
+   of |a|^2 + a.b + |b|^2 = 5 + n.m - 3 (n + m).N, where a = n - N and b = m - N at x and y; the triangles are weighted by
+   their area. */
 static double surfmink__area_embedded(const surfmink_outline *o)
 {
-    double scale = 0, direction[3], mean[3], centre[3] = {0, 0, 0}, n[3], n_next[3], a[3], b[3], to_x[3], to_y[3], e[3];
-    double area, weight, weights = 0, squares = 0, segments = 0, l, turn, side[3], cross[3];
+    double scale = 0, direction[3], centre[3] = {0, 0, 0}, n[3], m[3], to_x[3], e[3], cross[3];
+    double area, weight, weights = 0, squares = 0, slopes = 0, segments = 0, towards = 0, n_up, m_up, turn;
     size_t i, k, next;
     for (i = 1; i < o->n; ++i) {
         surfmink__sub(o->corner + 3 * i, o->corner, 3, e);
-        l = surfmink__max_abs(e, 3);
-        scale = l > scale ? l : scale;
+        turn = surfmink__max_abs(e, 3);
+        scale = turn > scale ? turn : scale;
+        for (k = 0; k < 3; ++k) centre[k] += e[k] / (double)o->n;
     }
     scale = scale > 0 && scale <= surfmink__largest ? surfmink__scale(scale) : 1;
     area = surfmink__vector_area(o, scale, direction);
-    surfmink__mean_normal(o, mean);
-    if (surfmink__dot(direction, mean) < 0) {
-        area = -area;
-        for (k = 0; k < 3; ++k) direction[k] = -direction[k];
-    }
-    for (i = 1; i < o->n; ++i)
-        for (k = 0; k < 3; ++k) centre[k] += (o->corner[3 * i + k] - o->corner[k]) * scale / (double)o->n;
     surfmink__unit(o->normal, 3, n);
+    n_up = surfmink__dot(n, direction);
     for (i = 0; i < o->n; ++i) {
         next = surfmink__next(o, i);
-        surfmink__unit(o->normal + 3 * next, 3, n_next);
+        surfmink__unit(o->normal + 3 * next, 3, m);
         for (k = 0; k < 3; ++k) {
-            to_x[k] = (o->corner[3 * i + k] - o->corner[k]) * scale - centre[k];
-            to_y[k] = (o->corner[3 * next + k] - o->corner[k]) * scale - centre[k];
-            e[k] = to_y[k] - to_x[k];
-            a[k] = n[k] - direction[k];
-            b[k] = n_next[k] - direction[k];
-            side[k] = n[k] + n_next[k];
+            to_x[k] = (o->corner[3 * i + k] - o->corner[k] - centre[k]) * scale;
+            e[k] = (o->corner[3 * next + k] - o->corner[3 * i + k]) * scale;
         }
-        turn = surfmink__dot(n_next, e) - surfmink__dot(n, e); /* a l */
-        surfmink__cross(e, side, cross);
-        l = surfmink__norm(cross, 3);
-        if (l > 0) segments -= surfmink__norm(e, 3) * turn / 12 * surfmink__dot(cross, direction) / l;
+        m_up = surfmink__dot(m, direction);
+        towards += m_up;
+        turn = surfmink__dot(m, e) - surfmink__dot(n, e); /* a l */
         surfmink__cross(to_x, e, cross);
         weight = surfmink__dot(cross, direction);
         weights += weight;
-        squares += weight * (surfmink__dot(a, a) + surfmink__dot(a, b) + surfmink__dot(b, b)) / 6;
-        for (k = 0; k < 3; ++k) n[k] = n_next[k];
+        squares += weight * (5 + surfmink__dot(n, m));
+        slopes += weight * 3 * (n_up + m_up);
+        for (k = 0; k < 3; ++k) n[k] += m[k];
+        surfmink__cross(e, n, cross); /* 2 l times the co-normal */
+        segments -= turn / 24 * surfmink__dot(cross, direction);
+        for (k = 0; k < 3; ++k) n[k] = m[k];
+        n_up = m_up;
     }
+    if (towards < 0) { /* N points against the normals */
+        area = -area;
+        slopes = -slopes;
+        segments = -segments;
+    }
+    squares = weights > 0 || weights < 0 ? (squares - slopes) / 6 / weights : 0;
     area += segments;
-    squares = weights > 0 || weights < 0 ? squares / weights : 0;
     if (squares < 1.98) area /= 1 - squares / 2; /* else the normals are all over the place: the projected area */
     return area / scale / scale;
 }
