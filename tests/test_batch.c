@@ -1370,7 +1370,7 @@ THEOREM(a_normal_counts_by_its_direction_however_long_it_is)
 /* A past bug: the square of such a normal is denormal, and the kernels said S = 6.161 for 2 pi. */
 THEOREM(tiny_normals_beside_long_edges_keep_their_digits)
 {
-    static const double size[4] = {1e-162, 1e-155, 1e-120, 1e162}, edge[4] = {1e60, 1e61, 1e100, 1e-100};
+    static const double size[4] = {1.5e-162, 1e-160, 1e-158, 1e162}, edge[4] = {1e61, 1e64, 1e80, 1e-100};
     bundle b;
     answers a;
     size_t i, k, n, at;

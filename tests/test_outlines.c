@@ -971,29 +971,59 @@ THEOREM(cells_at_the_rim_or_on_a_fold_of_the_chart_are_left_out)
     erase(&a);
 }
 
+/* A cell that goes round more than half of a cylinder: the chart shows the same side of it throughout. */
+THEOREM(a_cell_that_turns_by_more_than_half_is_left_out)
+{
+    static uint32_t label[CHART_PIXELS];
+    size_t k;
+    double degrees;
+    for (degrees = 120; degrees <= 300; degrees += 180) {
+        drawing d;
+        for (k = 0; k < CHART_PIXELS; ++k) {
+            size_t row = k / CHART_WIDTH, column = k % CHART_WIDTH;
+            double angle = degrees * PI / 180 * (double)column / CHART_WIDTH;
+            label[k] = row > 9 && row < 30 && column > 1 && column < CHART_WIDTH - 2;
+            chart_position[k] = chart_normal[k] = (float)-cos(angle);
+            chart_position[CHART_PIXELS + k] = -0.1f * (float)row;
+            chart_normal[CHART_PIXELS + k] = 0;
+            chart_position[2 * CHART_PIXELS + k] = chart_normal[2 * CHART_PIXELS + k] = (float)sin(angle);
+        }
+        CASE("%g degrees", degrees);
+        if (draw(&d, label, CHART_WIDTH, CHART_HEIGHT, chart_position, chart_normal, settings_of(CURVE)))
+            CHECK_EQUAL(d.map.flag[1], degrees > 180 ? REGION_FOLD : 0);
+        erase(&d);
+    }
+}
+
+/* All points of a chain in one place: two cells lose as many corners, and keep the others. */
 THEOREM(corners_at_one_place_are_welded)
 {
     drawing d;
-    settings how = settings_of(STAIRCASE);
-    size_t k, i, plain = 0, welded = 0;
+    image_error error;
+    size_t k, i, before[2], cell[2];
     tilted_chart(3);
-    for (k = 0; k < CHART_PIXELS; ++k) /* positions in steps of two columns, with a grain of slope for the chart test */
-        chart_position[k] = (float)(1.5 * (double)(k % CHART_WIDTH / 2)) + 1e-6f * (float)(k % CHART_WIDTH);
-    for (how.welds = 0; how.welds < 2; ++how.welds) {
-        if (draw(&d, chart_label, CHART_WIDTH, CHART_HEIGHT, chart_position, chart_normal, how))
-            for (k = 1; k < d.map.count; ++k) {
-                if (!is_drawn(&d, k)) continue;
-                outline_of(&d, k, &got_outline);
-                for (i = 0; i < got_outline.n; ++i) {
-                    const double *x = got_outline.corner + 3 * i;
-                    const double *y = got_outline.corner + 3 * (i + 1 < got_outline.n ? i + 1 : 0);
-                    if (hypot(hypot(x[0] - y[0], x[1] - y[1]), x[2] - y[2]) < 1e-7) ++*(how.welds ? &welded : &plain);
-                }
-            }
-        erase(&d);
+    if (draw(&d, chart_label, CHART_WIDTH, CHART_HEIGHT, NULL, NULL, settings_of(CURVE))) {
+        const chain *c = d.graph.chains;
+        while (c->cracks < 4 || !is_drawn(&d, c->left) || !is_drawn(&d, c->right)) ++c;
+        cell[0] = c->left;
+        cell[1] = c->right;
+        for (k = 0; k < 2; ++k) {
+            outline_of(&d, cell[k], &got_outline);
+            before[k] = got_outline.n;
+        }
+        for (k = 0; k < c->cracks; ++k)
+            for (i = 0; i < 2; ++i)
+                d.points.xy[2 * (d.graph.junction_count + c->first + k) + i] =
+                    d.points.xy[2 * (d.graph.junction_count + c->first) + i] + 1e-9 * (double)k;
+        free(d.out.is_mirrored);
+        d.out.welds = 1;
+        CHECK(outlines_make(&d.out, &error));
+        for (k = 0; k < 2; ++k) {
+            outline_of(&d, cell[k], &got_outline);
+            CHECK_EQUAL(got_outline.n, before[k] - (c->cracks - 1));
+        }
     }
-    (void)plain;
-    CHECK_EQUAL(welded, 0);
+    erase(&d);
 }
 
 /* --- decisions ---------------------------------------------------------------------------------------------------- */
@@ -1056,6 +1086,12 @@ THEOREM(what_is_left_out_is_left_out_by_name)
     CHECK_EQUAL(flags_in("....\naaaa\n.aa.\n....\n", 'a', wrapped, NULL), REGION_WINDS);
     CHECK_EQUAL(flags_in("....\naaba\n....\n", 'b', wrapped, NULL), 0);
     CHECK_EQUAL(flags_in("....\naaaa\nbbbb\n....\n", 'b', wrapped, NULL), REGION_WINDS);
+    curve.lines = 1;
+    CHECK_EQUAL(flags_in("..........\n.aa....bb.\n.aa....bb.\n..........\n", 'a', curve, &corners), 0);
+    CHECK(corners > 8); /* four pixels wide: shared out */
+    CHECK_EQUAL(flags_in("...........\n.aa.....bb.\n.aa.....bb.\n...........\n", 'a', curve, &corners), 0);
+    CHECK_EQUAL(corners, 8); /* five: background */
+    curve.lines = 0;
     curve.background = 'b';
     CHECK_EQUAL(flags_in(".....\n.aab.\n.ccb.\n.....\n", 'b', curve, NULL), -1);
 }
@@ -1452,6 +1488,7 @@ THEOREM(what_cannot_be_read_is_refused_by_name)
                 {{277, 0}, "without channels"},
                 {{278, 0}, "strips of no rows"},
                 {{273, 4000000}, "truncated"},
+                {{279, 69}, "truncated"},
                 {{339, 4}, "neither integers nor floats (format 4)"},
                 {{339, 6}, "neither integers nor floats (format 6)"},
                 {{266, 2}, "its bits in reverse order"}};
@@ -1506,7 +1543,7 @@ THEOREM(what_cannot_be_read_is_refused_by_name)
                 image_free(&im);
                 continue;
             }
-            if (tiff[k].other.tag == 273) {
+            if (tiff[k].other.tag == 273 || tiff[k].other.tag == 279) {
                 image im;
                 image_error error;
                 CHECK(!decode(made.byte, made.size, &im, &error) && strstr(error.text, "strip 0"));
@@ -1591,6 +1628,7 @@ int main(int argc, char **argv)
     PROVE(normals_may_be_long_inward_or_made_from_the_positions);
     PROVE(a_mirrored_chart_draws_the_same_cells);
     PROVE(cells_at_the_rim_or_on_a_fold_of_the_chart_are_left_out);
+    PROVE(a_cell_that_turns_by_more_than_half_is_left_out);
     PROVE(corners_at_one_place_are_welded);
     PROVE(what_is_left_out_is_left_out_by_name);
     PROVE(a_wrapped_image_has_no_seam);

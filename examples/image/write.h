@@ -40,13 +40,13 @@ static inline char *write__count(char *to, size_t count)
     return to;
 }
 
-/* Numbers with `separator` before each; the zero below a picture is not negative. */
+/* Numbers with `separator` before each. */
 static inline char *write__numbers(const writer *w, char *to, char separator, const double *number, size_t count)
 {
     size_t k;
     for (k = 0; k < count; ++k) {
         *to++ = separator;
-        to = write_number(w->powers, to, w->digits, number[k] + 0.0);
+        to = write_number(w->powers, to, w->digits, number[k]);
     }
     return to;
 }

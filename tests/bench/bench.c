@@ -158,7 +158,7 @@ static double sample(table *t, int which, size_t parts, size_t *corners)
 
 static int has_column(const table *t, int which)
 {
-    if (which == FLAT) return t->surface == PLANE;
+    if (which == FLAT || which == DIRECT) return t->surface == PLANE;
     if (which == BATCH_ALL) return t->threads > 1;
     return 1;
 }
@@ -261,17 +261,12 @@ static size_t corners_in_cache(int surface, int set, int max_rank)
 static void prepare(table *t, size_t corners, int max_rank, int no_scratch)
 {
     task *w = &t->work;
-    size_t i;
     w->in = make_outlines((enum surface)t->surface, (size_t)t->set, corners);
     corners = w->in.offset[w->in.count];
     w->max_rank = max_rank;
     w->no_scratch = no_scratch;
     w->seen = 0;
-    w->scratch = (double *)reserve(corners, 6 * sizeof *w->scratch);
-    w->by_corner = (double *)reserve(corners, w->in.dim * sizeof *w->by_corner);
-    w->by_normal = w->in.normal ? (double *)reserve(corners, 3 * sizeof *w->by_normal) : NULL;
-    w->weight = (double *)reserve(w->in.count, (ranks_of(w) + 1) * sizeof *w->weight);
-    for (i = 0; i < w->in.count * (ranks_of(w) + 1); ++i) w->weight[i] = 1 / (double)(i % 7 + 1);
+    w->scratch = (double *)reserve(corners, 2 * sizeof *w->scratch);
     memset(&w->out, 0, sizeof w->out);
     w->out.status = (int *)reserve(w->in.count, sizeof *w->out.status);
     w->out.length = (double *)reserve(w->in.count, sizeof *w->out.length);
@@ -293,9 +288,6 @@ static double clear(table *t)
     for (i = 0; i < w->in.count; ++i) sum += w->out.status[i];
     free_outlines(&w->in);
     free(w->scratch);
-    free(w->by_corner);
-    free(w->by_normal);
-    free(w->weight);
     free(w->out.status);
     free(w->out.length);
     free(w->out.turning);
@@ -583,7 +575,8 @@ static options read_options(int argc, char **argv)
             read_value(&o, argv[i], argv[i + 1]);
             ++i;
         }
-    if (o.count == FLAT && o.surface > PLANE) complain("this column knows the plane only", column_name[o.count]);
+    if ((o.count == FLAT || o.count == DIRECT) && o.surface > PLANE)
+        complain("this column knows the plane only", column_name[o.count]);
     return o;
 }
 

@@ -1,8 +1,8 @@
 /* columns.h - what the benchmark compares: other ways to the same numbers, the product's calls, and the bare traffic of
    memory. Include it after surfmink.h and sets.h.
 
-   Every column reads the same outlines and writes the same arrays: mu, g, L and S of each outline. A, B and C are kept
-   as quick as their idea allows: nothing is checked, corners of the sphere and normals are taken as unit, long sums
+   Every column reads the same outlines and writes the same arrays: mu, g, L and S of each outline. A, B, C and D are
+   kept as quick as their idea allows: nothing is checked, corners of the sphere and normals are taken as unit, long sums
    are not compensated. surfmink does all of that. */
 #ifndef BENCH_COLUMNS_H
 #define BENCH_COLUMNS_H
@@ -14,11 +14,9 @@ typedef struct task {
     outlines in;
     surfmink_results out;
     int max_rank;
-    double *scratch; /* 6 doubles a corner: what gradients need; batches take two */
-    double *by_corner, *by_normal;
-    double *weight; /* of mu, P + 1 an outline, then of L, one an outline */
-    int no_scratch; /* the batch has to do without */
-    double seen;    /* what the columns without results make of their input */
+    double *scratch; /* 2 doubles a corner */
+    int no_scratch;  /* the batch has to do without */
+    double seen;     /* what the columns without results make of their input */
 } task;
 
 /* Works on the outlines first .. last - 1. */
@@ -327,30 +325,69 @@ static void flat_integrate(const double *x, size_t n, int max_rank, double *g)
     }
 }
 
-/* S is not measured this way: in the plane it is 2 pi. */
-static void run_flat(task *t, size_t first, size_t last)
+/* --- D: powers of the edge's normal, one multiplication a rank ---------------------------------------------------- */
+
+/* The best that scalar code can do in the plane: no angle is ever formed. w_i = l_i z_i^p becomes that of the next rank,
+   block by block as in B. */
+static void direct_integrate(const double *x, size_t n, int max_rank, double *g)
+{
+    double re[BLOCK], im[BLOCK], cosine[BLOCK], sine[BLOCK], length;
+    size_t first, edges, k, i;
+    int p;
+    memset(g, 0, (2 * (size_t)max_rank + 2) * sizeof *g);
+    for (first = 0; first < n; first += edges) {
+        edges = n - first < BLOCK ? n - first : BLOCK;
+        for (k = 0; k < edges; ++k) {
+            const double *next;
+            i = first + k;
+            next = x + 2 * (i + 1 < n ? i + 1 : 0);
+            cosine[k] = next[1] - x[2 * i + 1]; /* the edge turned to the right */
+            sine[k] = x[2 * i] - next[0];
+            length = sqrt(cosine[k] * cosine[k] + sine[k] * sine[k]);
+            cosine[k] /= length;
+            sine[k] /= length;
+            g[0] += re[k] = length;
+            im[k] = 0;
+        }
+        for (p = 1; p <= max_rank; ++p) add_rank(re, im, cosine, sine, edges, g + 2 * p);
+    }
+}
+
+/* C and D. S is not measured this way: in the plane it is 2 pi. */
+static void measure_flat(task *t, size_t first, size_t last, void (*integrate)(const double *, size_t, int, double *))
 {
     size_t i;
     for (i = first; i < last; ++i) {
         size_t from = t->in.offset[i], n = t->in.offset[i + 1] - from;
         double *g = t->out.g + 2 * ranks_of(t) * i;
-        flat_integrate(t->in.corner + 2 * from, n, t->max_rank, g);
+        integrate(t->in.corner + 2 * from, n, t->max_rank, g);
         normalize(g, t->max_rank, t->out.mu + ranks_of(t) * i);
         t->out.length[i] = g[0];
         t->out.turning[i] = 2 * PI;
     }
 }
 
+static void run_flat(task *t, size_t first, size_t last)
+{
+    measure_flat(t, first, last, flat_integrate);
+}
+
+static void run_direct(task *t, size_t first, size_t last)
+{
+    measure_flat(t, first, last, direct_integrate);
+}
+
 /* --- surfmink ----------------------------------------------------------------------------------------------------- */
 
-static int measure_single(const task *t, size_t i, double *mu, double *g, surfmink_functionals *w)
+/* The corners of outlines first .. last - 1. */
+static surfmink_outline view_of(const outlines *in, size_t first, size_t last)
 {
-    const outlines *in = &t->in;
-    size_t first = in->dim * in->offset[i], n = in->offset[i + 1] - in->offset[i];
-    const double *corner = in->corner + first;
-    if (in->surface == PLANE) return surfmink_measure_plane(corner, n, t->max_rank, mu, g, w, NULL);
-    if (in->surface == SPHERE) return surfmink_measure_sphere(corner, n, 1.0, t->max_rank, mu, g, w, NULL);
-    return surfmink_measure_embedded(corner, in->normal + first, n, t->max_rank, mu, g, w, NULL);
+    size_t at = in->dim * in->offset[first], n = in->offset[last] - in->offset[first];
+    switch (in->surface) {
+    case PLANE: return surfmink_plane(in->corner + at, n);
+    case SPHERE: return surfmink_sphere(in->corner + at, n, 1.0);
+    default: return surfmink_embedded(in->corner + at, in->normal + at, n);
+    }
 }
 
 static void run_single(task *t, size_t first, size_t last)
@@ -358,7 +395,34 @@ static void run_single(task *t, size_t first, size_t last)
     surfmink_functionals w = {0, 0, 0, 0, 0};
     size_t i;
     for (i = first; i < last; ++i) {
-        t->out.status[i] = measure_single(t, i, t->out.mu + ranks_of(t) * i, t->out.g + 2 * ranks_of(t) * i, &w);
+        surfmink_outline o = view_of(&t->in, i, i + 1);
+        t->out.status[i] =
+            surfmink_measure(&o, t->max_rank, t->out.mu + ranks_of(t) * i, t->out.g + 2 * ranks_of(t) * i, &w, NULL);
+        t->out.length[i] = w.length;
+        t->out.turning[i] = w.turning;
+    }
+}
+
+static int by_steps(const surfmink_outline *o, int max_rank, double *scratch, double *mu, double *g,
+                    surfmink_functionals *w)
+{
+    double *length = scratch, *turning = scratch + o->n;
+    int status = surfmink_edges(o, length, turning, NULL);
+    if (!status) status = surfmink_total(o, length, turning, o->n, w);
+    if (!status) status = surfmink_phases(turning, o->n, SURFMINK_CORRECTED, turning);
+    if (!status) status = surfmink_irreducible(length, turning, o->n, max_rank, g);
+    if (!status) status = surfmink_spectrum(g, max_rank, NULL, mu, NULL);
+    return status;
+}
+
+static void run_steps(task *t, size_t first, size_t last)
+{
+    surfmink_functionals w = {0, 0, 0, 0, 0};
+    size_t i;
+    for (i = first; i < last; ++i) {
+        surfmink_outline o = view_of(&t->in, i, i + 1);
+        t->out.status[i] =
+            by_steps(&o, t->max_rank, t->scratch, t->out.mu + ranks_of(t) * i, t->out.g + 2 * ranks_of(t) * i, &w);
         t->out.length[i] = w.length;
         t->out.turning[i] = w.turning;
     }
@@ -378,63 +442,9 @@ static surfmink_results results_from(const task *t, size_t first)
 
 static void run_batch(task *t, size_t first, size_t last)
 {
-    const size_t *offset = t->in.offset + first, count = last - first;
-    double *scratch = t->no_scratch ? NULL : t->scratch;
+    surfmink_outline all = view_of(&t->in, 0, last);
     surfmink_results out = results_from(t, first);
-    if (t->in.surface == PLANE)
-        surfmink_batch_plane(t->in.corner, offset, count, t->max_rank, &out, scratch);
-    else if (t->in.surface == SPHERE)
-        surfmink_batch_sphere(t->in.corner, offset, count, 1.0, t->max_rank, &out, scratch);
-    else
-        surfmink_batch_embedded(t->in.corner, t->in.normal, offset, count, t->max_rank, &out, scratch);
-}
-
-/* Weights of all mu_p, and of L. */
-static surfmink_weights weights_from(const task *t, size_t first)
-{
-    surfmink_weights weights = {NULL, NULL, NULL, NULL, 0};
-    weights.mu = t->weight + ranks_of(t) * first;
-    weights.length = t->weight + ranks_of(t) * t->in.count + first;
-    return weights;
-}
-
-static void run_gradient(task *t, size_t first, size_t last)
-{
-    surfmink_functionals w = {0, 0, 0, 0, 0};
-    size_t i;
-    for (i = first; i < last; ++i) {
-        size_t at = t->in.dim * t->in.offset[i], n = t->in.offset[i + 1] - t->in.offset[i], ranks = ranks_of(t);
-        const double *corner = t->in.corner + at;
-        double *mu = t->out.mu + ranks * i, *g = t->out.g + 2 * ranks * i, *by_corner = t->by_corner + at;
-        surfmink_weights weights = weights_from(t, i);
-        if (t->in.surface == PLANE)
-            t->out.status[i] =
-                surfmink_gradient_plane(corner, n, t->max_rank, &weights, mu, g, &w, by_corner, t->scratch, NULL);
-        else if (t->in.surface == SPHERE)
-            t->out.status[i] =
-                surfmink_gradient_sphere(corner, n, 1.0, t->max_rank, &weights, mu, g, &w, by_corner, t->scratch, NULL);
-        else
-            t->out.status[i] = surfmink_gradient_embedded(corner, t->in.normal + at, n, t->max_rank, &weights, mu, g,
-                                                          &w, by_corner, t->by_normal + at, t->scratch, NULL);
-        t->out.length[i] = w.length;
-        t->out.turning[i] = w.turning;
-    }
-}
-
-static void run_batch_gradient(task *t, size_t first, size_t last)
-{
-    const size_t *offset = t->in.offset + first, count = last - first;
-    surfmink_weights weights = weights_from(t, first);
-    surfmink_results out = results_from(t, first);
-    if (t->in.surface == PLANE)
-        surfmink_batch_gradient_plane(t->in.corner, offset, count, t->max_rank, &weights, &out, t->by_corner,
-                                      t->scratch);
-    else if (t->in.surface == SPHERE)
-        surfmink_batch_gradient_sphere(t->in.corner, offset, count, 1.0, t->max_rank, &weights, &out, t->by_corner,
-                                       t->scratch);
-    else
-        surfmink_batch_gradient_embedded(t->in.corner, t->in.normal, offset, count, t->max_rank, &weights, &out,
-                                         t->by_corner, t->by_normal, t->scratch);
+    surfmink_batch(&all, t->in.offset + first, last - first, t->max_rank, &out, t->no_scratch ? NULL : t->scratch);
 }
 
 /* --- bounds: nobody is quicker than memory ------------------------------------------------------------------------ */
@@ -476,10 +486,10 @@ static void run_read_write(task *t, size_t first, size_t last)
 
 /* --- all of them, in the order of the tables ---------------------------------------------------------------------- */
 
-enum { PAPER, LIBM, FLAT, SINGLE, BATCH, BATCH_ALL, GRADIENT, BATCH_GRADIENT, READ, READ_WRITE, COLUMNS };
+enum { PAPER, LIBM, FLAT, DIRECT, SINGLE, STEPS, BATCH, BATCH_ALL, READ, READ_WRITE, COLUMNS };
 
-static const char *const column_name[COLUMNS] = {
-    "A", "B", "C", "single", "batch", "batch-all", "gradient", "batch-gradient", "read", "read-write"};
+static const char *const column_name[COLUMNS] = {"A",     "B",     "C",         "D",    "single",
+                                                 "steps", "batch", "batch-all", "read", "read-write"};
 
 static const struct {
     column_function *run;
@@ -489,11 +499,11 @@ static const struct {
     {run_paper, 1e-5, "the paper's formulas as printed: arccos; cos and sin of p f for every rank p"},
     {run_libm, 1e-12, "the best scalar libm code: atan2, one sin and cos an edge, powers by multiplication"},
     {run_flat, 1e-12, "plane only: for every rank a power of the edge's normal, as flat-space libraries do"},
-    {run_single, 1e-12, "surfmink_measure_* for every outline"},
-    {run_batch, 0, "surfmink_batch_*, one core"},
-    {run_batch, 1e-12, "surfmink_batch_*, all cores (or --threads)"},
-    {run_gradient, 1e-12, "surfmink_gradient_* for every outline: mu, g and the gradient by corners and normals"},
-    {run_batch_gradient, 1e-12, "surfmink_batch_gradient_*, one core"},
+    {run_direct, 1e-12, "plane only: powers of the edge's normal, one multiplication a rank, no trigonometry"},
+    {run_single, 1e-12, "surfmink_measure for every outline"},
+    {run_steps, 1e-12, "the four steps one by one for every outline"},
+    {run_batch, 0, "surfmink_batch, one core"},
+    {run_batch, 1e-12, "surfmink_batch, all cores (or --threads)"},
     {run_read, 0, "bound: a sum over corners, normals and offsets"},
     {run_read_write, 0, "bound: the same, and memset of all results"},
 };

@@ -21,45 +21,20 @@ instructions() {
 row() {
     printf '%-10s%-8s%4d' "$2" "$3" "$4"
     before=$(instructions "$1" B "$2" "$3" "$4" 0) || exit 1
-    for column in A B C single batch; do
-        if [ "$column" = C ] && [ "$2" != plane ]; then
-            printf '%10s' -
-            continue
-        fi
+    for column in A B C D single steps batch; do
+        case $2$column in
+        plane?* | *[!CD]) ;;
+        *) printf '%10s' - && continue ;;
+        esac
         after=$(instructions "$1" "$column" "$2" "$3" "$4" 1) || exit 1
         echo "$before $after" | awk '{ printf "%10.1f", ($3 - $1) / $4 }'
     done
     echo
 }
 
-# ratio: measured with gradient over measured without.
-ratio() {
-    for column in single gradient batch batch-gradient; do
-        instructions "$1" $column "$2" "$3" "$4" 1 || exit 1
-    done | awk -v before="$(instructions "$1" B "$2" "$3" "$4" 0)" '
-        { split(before, b, " "); per[NR] = ($1 - b[1]) / b[2] }
-        END {
-            printf "%10.1f%10.1f%8.2f", per[1], per[2], per[2] / per[1]
-            printf "%10.1f%10.1f%8.2f\n", per[3], per[4], per[4] / per[3]
-        }'
-}
-
 for program in "$@"; do
-    printf '\n%s: instructions a corner\n%-10s%-8s%4s%10s%10s%8s%10s%10s%8s\n' "${program##*/}" \
-        surface set P single gradient ratio batch gradient ratio
-    for surface in plane sphere embedded; do
-        for set in q6 q40 q1000; do
-            for rank in 6 12; do
-                printf '%-10s%-8s%4d' $surface $set $rank
-                ratio "$program" $surface $set $rank
-            done
-        done
-    done
-done
-
-for program in "$@"; do
-    printf '\n%s: instructions a corner\n%-10s%-8s%4s%10s%10s%10s%10s%10s\n' "${program##*/}" \
-        surface set P A B C single batch
+    printf '\n%s: instructions a corner\n%-10s%-8s%4s%10s%10s%10s%10s%10s%10s%10s\n' "${program##*/}" \
+        surface set P A B C D single steps batch
     for surface in plane sphere embedded; do
         for set in q6 ragged q40 q1000; do
             for rank in 6 12; do row "$program" "$surface" "$set" "$rank"; done
