@@ -1647,7 +1647,7 @@ static void surfmink__mean_normal(const surfmink_outline *o, double mean[3])
 static double surfmink__area_embedded(const surfmink_outline *o)
 {
     double scale = 0, direction[3], centre[3] = {0, 0, 0}, n[3], m[3], to_x[3], e[3], cross[3];
-    double area, weight, weights = 0, squares = 0, slopes = 0, segments = 0, towards = 0, n_up, m_up, turn;
+    double area, weight, weights = 0, squares = 0, slopes = 0, segments = 0, towards = 0, n_up, m_up, turn, bend;
     size_t i, k, next;
     for (i = 1; i < o->n; ++i) {
         surfmink__sub(o->corner + 3 * i, o->corner, 3, e);
@@ -1672,11 +1672,12 @@ static double surfmink__area_embedded(const surfmink_outline *o)
         surfmink__cross(to_x, e, cross);
         weight = surfmink__dot(cross, direction);
         weights += weight;
-        squares += weight * (5 + surfmink__dot(n, m));
+        bend = surfmink__dot(n, m);
+        squares += weight * (5 + bend);
         slopes += weight * 3 * (n_up + m_up);
         for (k = 0; k < 3; ++k) n[k] += m[k];
-        surfmink__cross(e, n, cross); /* 2 l times the co-normal */
-        segments -= turn / 24 * surfmink__dot(cross, direction);
+        surfmink__cross(e, n, cross); /* 2 l times the co-normal, but for the cosine of half the angle of n and m */
+        segments -= turn / 24 * (1.25 - 0.25 * bend) * surfmink__dot(cross, direction);
         for (k = 0; k < 3; ++k) n[k] = m[k];
         n_up = m_up;
     }
