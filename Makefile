@@ -88,7 +88,7 @@ $(BUILD)/$(library): examples/languages/flat.c examples/languages/flat.h surfmin
 	ln -sf $(library) $(BUILD)/$(library_abi)
 	ln -sf $(library_abi) $(BUILD)/$(library_link)
 
-demo: $(BUILD)/surfmink $(BUILD)/outlines $(BUILD)/image/rasterise
+demo: $(BUILD)/surfmink $(BUILD)/outlines $(BUILD)/patic $(BUILD)/image/rasterise
 	@sh examples/demo.sh $(BUILD)/surfmink $(BUILD)/demo
 
 paper: $(experiments)
