@@ -5,7 +5,7 @@
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make pictures   the pictures of docs/theory.md, and the numbers behind them, in .build/pictures/
 #   make playground  docs/playground.html, a page to play with; needs clang and lld
-#   make test       all tests; needs cc and make, nothing else
+#   make test       all tests; needs cc and make, nothing else; EFFORT=10 for ten times as many seeds
 #   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
 #   make bench      ns a corner, beside other ways to the same numbers; gcc, clang; 25 minutes, BENCH=--quick: 7
@@ -61,7 +61,7 @@ $(BUILD)/%: examples/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 
-# The implementation is compiled once for all tests but two, which look inside, for the paper and for the pictures.
+# The implementation is compiled once for all tests but one, which looks inside, for the paper and for the pictures.
 $(BUILD)/surfmink.o: surfmink.h
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTATION $(CPPFLAGS) -I. $(CFLAGS) -x c -c $< -o $@
@@ -69,7 +69,7 @@ $(BUILD)/surfmink.o: surfmink.h
 $(BUILD)/test_%: tests/test_%.c $(BUILD)/surfmink.o $(headers)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTED $(CPPFLAGS) -I. $(CFLAGS) $< $(BUILD)/surfmink.o -o $@ $(LDFLAGS) $(LDLIBS)
 
-$(BUILD)/test_batch $(BUILD)/test_gradient: $(BUILD)/%: tests/%.c $(headers)
+$(BUILD)/test_batch: $(BUILD)/%: tests/%.c $(headers)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
 

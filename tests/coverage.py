@@ -2,8 +2,8 @@
 """coverage.py DIRECTORY TEST.c ... - which lines and branches of surfmink.h no test has taken.
 
 Compiles each test with gcc --coverage, runs it, and merges what gcov says: a line is covered if a test runs it, a
-branch if a test takes it. The kernels are compiled once for single calls and once for each set of vector instructions:
-their lines count once, and so do branches where the instances have the same ones on a line. Nothing is inlined, so that
+branch if a test takes it. The kernels are compiled once for each set of vector instructions: their lines
+count once, and so do branches where the instances have the same ones on a line. Nothing is inlined, so that
 a function is counted once and not wherever it is called. Prints a table of the functions, then every line and branch
 that is missing; the last line is the total. Exit status 1 if there are any. The tests have to pass."""
 

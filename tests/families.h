@@ -1,8 +1,8 @@
 /* families.h - outlines by chance, of every shape that breaks things and any number of corners, laid on the plane, the
    sphere and surfaces in space. Include it after shapes.h.
 
-   A shape is drawn in a flat map, about as large as the unit circle, and then placed. Not all can be measured: some cross
-   themselves, some enclose too much. */
+   A shape is drawn in a flat map, about as large as the unit circle, and then placed. Not all can be measured: some
+   cross themselves, some enclose too much. */
 #ifndef FAMILIES_H
 #define FAMILIES_H
 

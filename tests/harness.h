@@ -9,7 +9,7 @@
    A theorem that checks nothing fails, and so does a program that proves none.
    With -DFEWER=N theorems that try many things try fewer, up to a factor of N: for emulators and sanitizers.
    With EFFORT=N in the environment (make test EFFORT=10) theorems that take a seed() are proved for N times as many:
-   N rounds, of which the first is always the same.
+   N rounds, of which the first is always the same. SLOW=0.5 names theorems that took so many seconds of the processor.
    A theorem that nobody PROVEs is an unused function: the compiler's warning is the check that the list is complete. */
 #ifndef HARNESS_H
 #define HARNESS_H
@@ -21,6 +21,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #ifndef FEWER
 #define FEWER 1
@@ -161,7 +162,9 @@ static inline void harness_spoil_stack(void)
 
 static inline void harness_prove(void (*theorem)(void), const char *name)
 {
-    const char *effort = getenv("EFFORT");
+    const char *effort = getenv("EFFORT"), *slow = getenv("SLOW");
+    const clock_t start = clock();
+    double seconds;
     int rounds = effort ? atoi(effort) : 1;
     harness.name = name;
     harness.checks = harness.failures = harness.round = harness.seeded = 0;
@@ -170,6 +173,8 @@ static inline void harness_prove(void (*theorem)(void), const char *name)
         harness.which[0] = '\0';
         theorem();
     } while (harness.seeded && ++harness.round < rounds);
+    seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    if (slow && seconds >= atof(slow)) printf("%.1f s %s\n", seconds, name);
     if (harness.checks == 0 && harness_shows(__FILE__, __LINE__)) printf("nothing has been checked\n");
     if (harness.failures > HARNESS_SHOWN) printf("... and %d more\n", harness.failures - HARNESS_SHOWN);
     if (harness.failures)

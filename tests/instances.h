@@ -1,5 +1,5 @@
-/* instances.h - the ways in which this machine can run a batch: by the public call, which chooses for itself, outline by
-   outline, or by one of the instances of the kernels. To be included after the implementation. */
+/* instances.h - the ways in which this machine can run a batch: by the public call, which chooses for itself, outline
+   by outline, or by one of the instances of the kernels. To be included after the implementation. */
 #ifndef INSTANCES_H
 #define INSTANCES_H
 

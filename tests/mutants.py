@@ -35,15 +35,14 @@ SWAPS = {'+': ['-'], '-': ['+'], '*': ['/'], '/': ['*'], '%': ['/'], '<': ['<=',
          '>': ['>=', '<='], '>=': ['>', '<'], '==': ['!='], '!=': ['=='], '&&': ['||'], '||': ['&&'], '+=': ['-=', '='],
          '-=': ['+=', '='], '*=': ['/=', '='], '/=': ['*=', '='], '++': ['--'], '--': ['++'], '!': [''],
          '&': ['|'], '|': ['&'], '^': ['&'], '~': ['']}
-NAMES = {'SURFMINK_SIN': 'SURFMINK_COS', 'SURFMINK_COS': 'SURFMINK_SIN', 'surfmink__next': 'surfmink__previous',
-         'surfmink__previous': 'surfmink__next', 'SURFMINK__FMA': 'SURFMINK__FNMA', 'SURFMINK__FNMA': 'SURFMINK__FMA',
+NAMES = {'surfmink__next': 'surfmink__previous', 'surfmink__previous': 'surfmink__next', 'SURFMINK__FMA': 'SURFMINK__FNMA', 'SURFMINK__FNMA': 'SURFMINK__FMA',
          'SURFMINK__MIN': 'SURFMINK__MAX', 'SURFMINK__MAX': 'SURFMINK__MIN', 'continue': 'break'}
 TOKEN = re.compile(r'/\*.*?\*/|"(?:\\.|[^"\\])*"|[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?'
                    r'|->|\+\+|--|&&|\|\||<<|[-+*/<>=!]=|[-+*/%<>=!?:]|\S', re.S)
 TYPES = ('double', 'int', 'void', 'char', 'size_t', 'const', 'return', 'surfmink_surface', 'surfmink_results',
-         'surfmink__outline', 'surfmink__curve', 'surfmink__sum', 'surfmink__job', 'surfmink__rows', 'surfmink__real',
-         'surfmink__pair', 'surfmink_functionals', 'surfmink__measure_window', 'float')
-KERNEL_TYPES = ('rows', 'totals', 'ranks', 'group', 'run', 'loaded')
+         'surfmink_outline', 'surfmink__polygon', 'surfmink__block', 'surfmink__quad', 'surfmink__fan', 'surfmink__dd',
+         'surfmink__sums', 'surfmink__powers', 'surfmink__job', 'surfmink__real', 'surfmink__mask', 'surfmink__pair', 'surfmink_functionals', 'surfmink__measure_window', 'float')
+KERNEL_TYPES = ('rows', 'totals', 'ranks', 'group', 'span', 'loaded')
 
 
 def tokens(text):
@@ -82,13 +81,11 @@ def conditionals(lines):
             kind = ''
             if re.search(r'SURFMINK__(INSTANCE|NATIVE) == SURFMINK__(AVX2|AVX512)|DISPATCHES', condition): kind = 'avx'
             elif re.search('NEON|_OPENMP|_WIN32|SURFMINK__GNU_C|__AVX|cplusplus', condition): kind = None
-            elif re.search(r'INSTANCE != SURFMINK__PLAIN|INSTANCE == SURFMINK__SSE2|GANG == 2', condition):
-                kind = 'vector'
+            elif re.search(r'SURFMINK__INSTANCE$|INSTANCE == SURFMINK__SSE2|SURFMINK__NATIVE$', condition): kind = 'vector'
             if word in ('if', 'ifdef', 'ifndef'): stack.append([kind, condition])
             elif word == 'elif': stack[-1] = [kind, condition]
             elif word == 'else':
-                first = stack[-1][1]
-                stack[-1][0] = 'vector' if first == 'SURFMINK__INSTANCE == SURFMINK__PLAIN' else ''
+                stack[-1][0] = '' # without vectors
             elif word == 'endif': stack.pop()
         kinds = [kind for kind, _ in stack if kind != '']
         where.append(None if None in kinds else 'avx' if 'avx' in kinds else 'vector' if kinds else '')
@@ -96,7 +93,7 @@ def conditionals(lines):
 
 
 # Macros that compute something, and numbers that algorithms depend on; the rest are names and codes.
-MACRO = re.compile(r'#define SURFMINK__(\w+\([^)]*\)|LANES|GANG|WIDTH|COLUMN|SIGN|ROWS|TILES|WINDOW|STRIDE) +(?=\S)')
+MACRO = re.compile(r'#define SURFMINK__(\w+\([^)]*\)|LANES|WIDTH|COLUMN|SIGN|ROWS|TILES|WINDOW|STRIDE) +(?=\S)')
 
 
 class Mutant:
@@ -269,13 +266,11 @@ void mutants_covered(const char *name)
 }
 """
 
-# All that is private becomes public, for tests that look inside.
 LIBRARY_C = r"""
 #include <math.h>
 #if defined(__SSE2__) && defined(__GNUC__) && !defined(SURFMINK_NO_SIMD)
 #include <immintrin.h>
 #endif
-#define static
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 """
@@ -291,7 +286,7 @@ STAGES = { # how the implementation is compiled, and the tests
     'strict vector': (STRICT, ['gcc', '-O1'] + SANITIZE)}
 FLAGS = ['-std=c99', '-DFEWER=20']
 BATCHES = 'test_batch' # looks inside, and at what only vectors do
-VECTORS = [BATCHES, 'test_gradient']
+VECTORS = [BATCHES]
 
 
 def run(command, cwd, seconds=None, **environment):
@@ -353,24 +348,21 @@ class Judge:
     def place(self, folder, text):
         """A header and what is compiled of it."""
         os.makedirs(folder, exist_ok=True)
+        # All functions that are private become public, for tests that look inside; what is static in them stays.
+        text = re.sub(r'(?m)^(#define SURFMINK__\w+ +)?static ', r'\1', text)
         self.write(os.path.join(folder, 'surfmink.h'), text)
         self.write(os.path.join(folder, 'library.c'), LIBRARY_C)
 
     def inside(self):
-        """Declarations of what test_batch.c and test_gradient.c use of the implementation."""
-        wanted = [r'enum surfmink__kind \{.*?\};', r'typedef struct surfmink__back \{.*?\} surfmink__back;',
-                  r'typedef struct surfmink__job \{.*?\} surfmink__job;',
-                  r'typedef struct surfmink__outline \{.*?\} surfmink__outline;',
-                  r'typedef void surfmink__measure_window\(.*?\);']
-        text = '#define SURFMINK__PLAIN 0\n#define SURFMINK__SSE2 1\n#define SURFMINK__AVX2 2\n' \
-               '#define SURFMINK__AVX512 3\n#define SURFMINK__NEON 4\n#define SURFMINK__NATIVE 0\n'
-        for what in wanted: text += re.search(what, self.header.text, re.S).group() + '\n'
-        for what in (r'surfmink__job surfmink__job_of\(.*?\)', r'size_t surfmink__batch\(.*?\)',
-                     r'surfmink__measure_window \*surfmink__choose\(void\)',
-                     r'surfmink__outline surfmink__outline_of\(.*?\)', r'surfmink__back surfmink__pulls\(.*?\)',
-                     r'surfmink__outline surfmink__outline_sphere\(.*?\)', r'int surfmink__quickly\(.*?\)'):
+        """Declarations of what test_batch.c uses of the implementation, where it has no vectors."""
+        text = ''
+        for what in (r'typedef struct surfmink__job \{.*?\} surfmink__job;',
+                     r'typedef size_t surfmink__measure_window\(void\);'):
+            text += re.search(what, self.header.text, re.S).group() + '\n'
+        for what in (r'surfmink__measure_window \*surfmink__choose\(void\)', r'int surfmink__positive\(.*?\)'):
             text += re.search(r'static (%s)\n\{' % what, self.header.text, re.S).group(1) + ';\n'
-        return text + 'surfmink__measure_window surfmink__window;\n'
+        found = re.findall(r'static (size_t surfmink__measure_some\(.*?\))\n\{', self.header.text, re.S)
+        return text + found[-1] + ';\n'
 
     @staticmethod
     def write(path, text):

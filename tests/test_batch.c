@@ -479,10 +479,11 @@ static void mixed_bundle(bundle *b, enum surface surface, size_t count, uint64_t
 static void random_batches(enum surface surface, size_t outlines)
 {
     static const int ranks[] = {0, 1, 6, 12, 12, 12, 12, 12, 12, 13, 15, 16, 17, 31, 32, 33, MAX_RANK};
-    size_t seen[SURFMINK_OPPOSITE_NORMALS + 1] = {0}, done, trial = 0;
+    size_t seen[SURFMINK_OPPOSITE_NORMALS + 1] = {0}, done, trial = 0, few;
     chance c;
     c.state = seed(200) + (uint64_t)surface;
     memset(worst, 0, sizeof worst);
+    if (on_trial < KERNELS) outlines /= 4; /* the same functions as others, or as single calls */
     for (done = 0; done < outlines / FEWER; ++trial) {
         bundle b;
         random_bundle(&b, &c, surface, 1 + one_of(&c, 600));
@@ -493,16 +494,14 @@ static void random_batches(enum surface surface, size_t outlines)
         bundle_close(&b);
     }
     report_worst(surface_name[surface]);
+    few = done / 400;
     CHECK(2 * seen[SURFMINK_OK] > done); /* these are tests of the test: there was something to compare */
-    CHECK(seen[SURFMINK_TOO_FEW_CORNERS] > 100 / FEWER && seen[SURFMINK_NOT_FINITE] > 100 / FEWER &&
-          seen[SURFMINK_CLOCKWISE] > 100 / FEWER);
-    CHECK(seen[SURFMINK_COINCIDENT_CORNERS] > 100 / FEWER);
-    if (surface != PLANE)
-        CHECK(seen[SURFMINK_ZERO_NORMAL] > 100 / FEWER && seen[SURFMINK_TOO_MUCH_CURVATURE] > 100 / FEWER);
-    CHECK(seen[SURFMINK_CROSSES_ITSELF] > 100 / FEWER);
-    if (surface == SPHERE) CHECK(seen[SURFMINK_ANTIPODAL_CORNERS] > 100 / FEWER);
-    if (surface == EMBEDDED)
-        CHECK(seen[SURFMINK_UPRIGHT_EDGE] > 100 / FEWER && seen[SURFMINK_OPPOSITE_NORMALS] > 100 / FEWER);
+    CHECK(seen[SURFMINK_TOO_FEW_CORNERS] > few && seen[SURFMINK_NOT_FINITE] > few && seen[SURFMINK_CLOCKWISE] > few);
+    CHECK(seen[SURFMINK_COINCIDENT_CORNERS] > few);
+    if (surface != PLANE) CHECK(seen[SURFMINK_ZERO_NORMAL] > few && seen[SURFMINK_TOO_MUCH_CURVATURE] > few);
+    CHECK(seen[SURFMINK_CROSSES_ITSELF] > few);
+    if (surface == SPHERE) CHECK(seen[SURFMINK_ANTIPODAL_CORNERS] > few);
+    if (surface == EMBEDDED) CHECK(seen[SURFMINK_UPRIGHT_EDGE] > few && seen[SURFMINK_OPPOSITE_NORMALS] > few);
 }
 
 THEOREM(in_the_plane_a_batch_says_what_single_calls_say)
@@ -753,6 +752,8 @@ THEOREM(any_number_of_threads_gives_the_same_bits)
         bundle b;
         answers one, a;
         mixed_bundle(&b, (enum surface)surface, 1000, 229);
+        --b.count;
+        add_flower(&b, surfmink__parallel + 1); /* below that many corners there is but one thread */
         omp_set_num_threads(1);
         measure(&b, &one, WITH_SCRATCH);
         for (threads = 2; threads <= 3; ++threads)
@@ -1289,6 +1290,7 @@ THEOREM(the_sphere_is_an_embedded_surface_up_to_lengths)
 
 /* --- what the kernels measure themselves -------------------------------------------------------------------------- */
 
+#ifdef SURFMINK__NATIVE
 /* The corner-by-corner path would make up for kernels that decline: slower, but right. */
 static void check_kernels_take(const bundle *b, size_t first)
 {
@@ -1325,6 +1327,7 @@ THEOREM(kernels_measure_flowers_and_small_polygons_themselves)
         bundle_close(&b);
     }
 }
+#endif
 
 /* --- in any strip of a long outline ------------------------------------------------------------------------------- */
 
@@ -1481,7 +1484,7 @@ static void prove_all(void)
     PROVE(on_the_sphere_a_batch_says_what_single_calls_say);
     PROVE(on_embedded_surfaces_a_batch_says_what_single_calls_say);
     PROVE(every_number_of_corners_is_measured_alike);
-    PROVE(a_flower_of_a_million_corners_keeps_its_digits);
+    if (on_trial >= KERNELS || KERNELS == INSTANCES) PROVE(a_flower_of_a_million_corners_keeps_its_digits);
     PROVE(an_outline_has_the_same_bits_wherever_it_stands);
     PROVE(among_refused_ones_an_outline_has_the_same_bits);
     PROVE(scratch_changes_no_bit);
@@ -1501,7 +1504,9 @@ static void prove_all(void)
     PROVE(regular_polygons_have_mu_one_at_multiples_of_n);
     PROVE(a_plane_in_space_is_the_plane);
     PROVE(the_sphere_is_an_embedded_surface_up_to_lengths);
+#ifdef SURFMINK__NATIVE
     if (on_trial != SCALAR) PROVE(kernels_measure_flowers_and_small_polygons_themselves);
+#endif
     PROVE(a_normal_counts_by_its_direction_however_long_it_is);
     PROVE(tiny_normals_beside_long_edges_keep_their_digits);
     PROVE(a_whisker_turns_by_plus_pi_wherever_it_stands);

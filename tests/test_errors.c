@@ -531,8 +531,8 @@ THEOREM(normals_need_a_direction_that_no_edge_has)
     }
 }
 
-/* A normal that is flipped, as from a mesh whose triangles do not run the same way round: measured by 0.3.0, with mu_6 =
-   0 of a flat regular hexagon. Octants have normals 90 degrees apart, but for rounding. */
+/* A normal that is flipped, as from a mesh whose triangles do not run the same way round: measured by 0.3.0, with
+   mu_6 = 0 of a flat regular hexagon. Octants have normals 90 degrees apart, but for rounding. */
 THEOREM(neighbouring_normals_are_at_most_90_degrees_apart)
 {
     static const double octant[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
