@@ -1,4 +1,4 @@
-"""languages.py SURFMINK PATIC TISSUE H3: holds examples/languages/surfmink.py to what it says, with two commands and two
+"""languages.py SURFMINK PATIC TISSUE H3: holds examples/languages/surfmink.py to what it says, by two commands and two
 tissues. Needs numpy and the library."""
 import math
 import subprocess
@@ -683,8 +683,8 @@ def arguments_of_a_field_without_sense_are_refused():
         raises(surfmink.Refused, "bad_argument", field, corner, offset, **named)
     raises(ValueError, "give one", field, corner, offset, ball=1.0, cells=1.0)
     raises(ValueError, "offset", field, corner, None)
-    for wrong in ([4, 8], [0, 8, 4]):
-        raises(ValueError, "begins with 0", field, corner, wrong)
+    for wrong in ([4, 8], [0, 8, 4], [0, 49]):
+        raises(ValueError, "offset", field, corner, wrong)
         into, scratch = np.array(wrong, np.uintp), np.empty(5000)
         assert surfmink._STATUS["bad_argument"] == surfmink._library.surfmink_flat_patic(
             *surfmink._plane(corner).in_c(), into.ctypes.data, len(wrong) - 1, 2, -1.0, 0.0, *8 * [None], None, None,
