@@ -27,6 +27,7 @@
 #define SURFMINK_IMPLEMENTATION
 #include "../surfmink.h"
 
+#define COMMAND_NAME "patic"
 #include "command/options.h"
 #include "command/read.h"
 #include "command/repair.h"

@@ -428,7 +428,7 @@ check "relax's contract, with sanitizers" "$gcc_sanitize \
     examples/relax.c -o $here/relax -lm &&
     $(quietly "sh tests/test_relax.sh $here/relax .build/tissue .build/surfmink")"
 check "the commands under abuse, with sanitizers" "
-    for command in surfmink levelset tissue; do
+    for command in surfmink levelset tissue patic outlines; do
         $gcc_sanitize examples/\$command.c -o $here/\$command -lm || echo \$command
     done
     $(quietly "sh tests/test_abuse.sh $here")"

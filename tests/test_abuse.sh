@@ -5,7 +5,7 @@
 # -fsanitize=address, and they also show that nothing leaks.
 . "$(dirname "$0")/harness.sh"
 build=$(absolute "$1")
-surfmink=$build/surfmink levelset=$build/levelset tissue=$build/tissue
+surfmink=$build/surfmink levelset=$build/levelset tissue=$build/tissue patic=$build/patic outlines=$build/outlines
 cd "$work" || exit 1
 
 # --- harness ----------------------------------------------------------------------------------------------------------
@@ -42,6 +42,8 @@ repeated() {
 }
 
 square='cell x y\na 0 0\na 1 0\na 1 1\na 0 1\n'
+row=' 0 1 1 1 1 1 2 2 2 2 2 0\n'
+labels="P2\\n12 6\\n2\\n0 0 0 0 0 0 0 0 0 0 0 0\\n$row$row$row${row}0 0 0 0 0 0 0 0 0 0 0 0\\n"
 octahedron='OFF\n6 8 12\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1
 3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n'
 : > in
@@ -75,6 +77,8 @@ printf 'cell,lon,lat\r\n"a ""b""",0,0\r\n"a ""b""",90,0\r\n"a ""b""",0,90' > tab
 cut_short "a table" table.csv 4 "$surfmink" table.csv
 printf "$octahedron" > mesh.off
 cut_short "a mesh for surfmink" mesh.off 1 "$surfmink" mesh.off
+cut_short "a table for patic" table.csv 4 "$patic" --rank 2 table.csv
+cut_short "a mesh for patic" mesh.off 1 "$patic" --rank 2 mesh.off
 cut_short "a mesh for levelset" mesh.off 1 "$levelset" mesh.off --function z --at 0.5
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z
 element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' > mesh.ply
@@ -110,9 +114,21 @@ run "$levelset" binary.off --function z
 stopped "a program as a mesh for levelset" "binary.off:1: a zero byte"
 run "$levelset" mesh.off "$surfmink" --at 0
 stopped "a program as a field" "$surfmink:1: a zero byte"
+run "$patic" --rank 2 "$surfmink"
+stopped "a program as a table for patic" "$surfmink:1: a zero byte"
+run "$outlines" "$surfmink"
+stopped "a program as an image" "$surfmink: "
 printf 'cell x y\na 0 \033[2J\n' > in
 run "$surfmink"
 stopped "what is quoted does not command the terminal" "-:2: '?[2J' in column 'y' is not a number"
+run "$patic" --rank 2
+stopped "nor does what patic quotes" "-:2: '?[2J' in column 'y' is not a number"
+escape=$(printf '\033')
+printf 'cell,x,y\n"\033[2J",0,0\n"\033[2J",1,0\n"\033[2J",1,1\n"a\033c\a",5,0\n"a\033c\a",6,0\n' > in
+run "$patic" --rank 2
+check "nor do ids in what patic writes and says" "$status $(cat out err | grep -c "[$escape$(printf '\a')]")" "2 0"
+check "ids in the table of patic" "$(sed 1d out | cut -f 1 | tr '\n' '|')" " [2J|a c |"
+has "ids in what patic says" err "-:5: cell a c : too_few_corners"
 printf 'OFF\n1 1\n0 0 \033[2J\n' > in
 run "$levelset" - --function z
 stopped "nor does what levelset quotes" "-:3: expected a number z, got '?[2J'"
@@ -224,7 +240,7 @@ mesh "PLY, of bytes, without a mesh" "ply\nformat binary_little_endian 1.0\n" ba
 # unreadable NAME FILE: by each of the commands, as each kind of file.
 unreadable() {
     for arguments in "$surfmink $2" "$surfmink mesh.off $2" "$levelset $2 --function z" \
-        "$levelset mesh.off $2 --at 0"; do
+        "$levelset mesh.off $2 --at 0" "$patic --rank 2 $2" "$outlines $2"; do
         run $arguments
         stopped "$1: ${arguments#"$build"/}" "$2: "
     done
@@ -245,6 +261,12 @@ stopped "standard input is closed" "-: "
 "$levelset" - --function z <&- > out 2> err
 status=$?
 stopped "standard input is closed, levelset" "-: cannot be read"
+"$patic" --rank 2 <&- > out 2> err
+status=$?
+stopped "standard input is closed, patic" "-: "
+"$outlines" - <&- > out 2> err
+status=$?
+stopped "standard input is closed, outlines" "-: cannot be read"
 "$surfmink" mesh.off <&- > out 2> err
 check "standard input is closed, and nobody asks for it" "$? $(cat err)" "0 "
 
@@ -266,6 +288,13 @@ stopped "the picture would overwrite standard input" "-: --svg would overwrite i
 "$surfmink" square.tsv >> square.tsv 2> err
 status=$?
 stopped "the table would follow its input" "square.tsv: it is standard output as well"
+for option in --defects --correlation --svg; do
+    run "$patic" --rank 2 square.tsv $option ./square.tsv
+    stopped "patic $option would overwrite its input" "square.tsv: $option would overwrite it"
+done
+"$patic" --rank 2 square.tsv >> square.tsv 2> err
+status=$?
+stopped "the field would follow its input" "square.tsv: it is standard output as well"
 check "and the input is as before" "$(cat square.tsv)" "$(printf "$square")"
 
 # to_nowhere NAME COMMAND...: standard output is closed, or a full disk.
@@ -292,7 +321,26 @@ to_nowhere "areas" "$levelset" mesh.off --function z --area
 to_nowhere "help of levelset" "$levelset" --help
 to_nowhere "a tissue" "$tissue" --cells 12
 to_nowhere "help of tissue" "$tissue" --help
+printf "$labels" > labels.pgm
+to_nowhere "a field" "$patic" --rank 4 square.tsv
+to_nowhere "fields of several radii" "$patic" --rank 4 --radius 0,1 square.tsv
+to_nowhere "a field and a picture" "$patic" --rank 4 square.tsv --svg a.svg
+check "no picture of a field that could not be written" "$(ls a.svg 2> /dev/null)" ""
+to_nowhere "help of patic" "$patic" --help
+to_nowhere "outlines of an image" "$outlines" labels.pgm
+to_nowhere "help of outlines" "$outlines" --help
 if [ -w /dev/full ]; then
+    for option in --defects --correlation --svg; do
+        run "$patic" --rank 4 square.tsv $option /dev/full
+        stopped "patic $option, a full disk" "/dev/full: cannot write"
+    done
+    for option in --off --report; do
+        run "$outlines" labels.pgm $option /dev/full
+        stopped "outlines $option, a full disk" "/dev/full: cannot be written"
+    done
+    "$surfmink" square.tsv | sed 's/^a/1/' > painted.tsv
+    run "$outlines" labels.pgm --paint painted.tsv --column mu_4 --out /dev/full
+    stopped "outlines --paint, a full disk" "/dev/full: cannot be written"
     run "$surfmink" square.tsv --svg /dev/full
     stopped "a picture, a full disk" "/dev/full: cannot write"
     ln -s /dev/full full.svg
@@ -316,6 +364,7 @@ to_head "$surfmink" many.tsv
 to_head "$surfmink" many.tsv --json
 to_head "$levelset" --subdivide ico:6 --function flower --at 0 --at .1 --at .2 --at .3 --at .4 --at .5
 to_head "$tissue" --relax 0
+to_head "$patic" --rank 3 --quiet many.tsv
 (
     trap '' PIPE
     {

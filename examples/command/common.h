@@ -21,6 +21,11 @@
 #define COMMAND_DIES
 #endif
 
+/* Who complains. Another command that includes these parts says its own name before. */
+#ifndef COMMAND_NAME
+#define COMMAND_NAME "surfmink"
+#endif
+
 /* Exit statuses: all measured, something is wrong with the call or its input, some outlines were refused. */
 enum { EXIT_MEASURED = 0, EXIT_TROUBLE = 1, EXIT_REFUSED = 2 };
 
@@ -100,14 +105,14 @@ static void die(const char *format, ...)
 
 static void check_standard_output(void)
 {
-    if (ferror(stdout)) die("surfmink: cannot write to standard output: %s", strerror(errno));
+    if (ferror(stdout)) die(COMMAND_NAME ": cannot write to standard output: %s", strerror(errno));
 }
 
 /* Some disks say only now that they are full. */
 static void close_standard_output(void)
 {
     if (fclose(stdout) == 0) return;
-    fprintf(stderr, "surfmink: cannot write to standard output: %s\n", strerror(errno));
+    fprintf(stderr, COMMAND_NAME ": cannot write to standard output: %s\n", strerror(errno));
     exit(EXIT_TROUBLE);
 }
 
@@ -116,7 +121,7 @@ static void close_standard_output(void)
 static void *resize(void *array, size_t count, size_t size)
 {
     void *moved = count <= SIZE_MAX / size ? realloc(array, count * size) : NULL;
-    if (!moved) die("surfmink: out of memory");
+    if (!moved) die(COMMAND_NAME ": out of memory");
     return moved;
 }
 

@@ -66,7 +66,7 @@ static void estimate_normals(estimate *e, table *t)
     if (e->file.faces == 0) return;
     if (mesh_file_orient(&e->file, current_file, &error) != MESH_OK) die("%s", error.text);
     e->normal = mesh_file_means(&e->file);
-    if (!e->normal) die("surfmink: out of memory");
+    if (!e->normal) die(COMMAND_NAME ": out of memory");
     remark(
         "%s: normals are estimated: means over cells that share corners, which misses mu_p by .002 (median) to .065; "
         "of lone cells the best plane, .002 to .113",

@@ -218,7 +218,7 @@ static void find_crossings(measures *m, const batch *b, const options *o)
         case SPHERE: found = crossings_sphere(p->corner, p->n, pair); break;
         default: found = crossings_embedded(p->corner, p->normal, p->n, pair);
         }
-        if (found == CROSSINGS_NO_MEMORY) die("surfmink: out of memory");
+        if (found == CROSSINGS_NO_MEMORY) die(COMMAND_NAME ": out of memory");
         if (found == 1) m->of.status[i] = SURFMINK_CROSSES_ITSELF;
     }
 }

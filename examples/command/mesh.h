@@ -38,7 +38,7 @@ static void find_normals(mesh *m, const char *name)
         remark("%s: normals that point against face %lu are not used; area-weighted means over the faces are", name,
                (unsigned long)odd);
     m->mean = mesh_file_means(f);
-    if (!m->mean) die("surfmink: out of memory");
+    if (!m->mean) die(COMMAND_NAME ": out of memory");
 }
 
 static void read_mesh(mesh *m, lines *in, const options *o)

@@ -71,9 +71,9 @@ static void usage_error(const char *format, ...)
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    fputs("surfmink: ", stderr);
+    fputs(COMMAND_NAME ": ", stderr);
     put_harmless(stderr, text);
-    fputs(" (surfmink --help explains)\n", stderr);
+    fputs(" (" COMMAND_NAME " --help explains)\n", stderr);
     exit(EXIT_TROUBLE);
 }
 

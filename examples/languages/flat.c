@@ -4,6 +4,7 @@
 #include "../beyond/curve.h"
 #include "../beyond/director.h"
 #include "../beyond/gradient.h"
+#include "../beyond/patic.h"
 #include "flat.h"
 
 /* A kind that is none becomes an outline that every call refuses. */
@@ -141,12 +142,104 @@ SURFMINK_DEF int surfmink_flat_director(int kind, const double *corner, const do
     return mu ? surfmink_spectrum(components, max_rank, NULL, mu, NULL) : SURFMINK_OK;
 }
 
+/* z, its mean, mu, and the memory of patic.h, which may begin anywhere. */
+SURFMINK_DEF size_t surfmink_flat_patic_scratch(const size_t *offset, size_t cells, int rank)
+{
+    const int most_rank = 1000; /* as the command: directions are carried by powers of a complex number */
+    size_t bytes = rank >= 1 && rank <= most_rank ? patic_bytes(offset, cells, rank) : 0;
+    return bytes == 0 ? 0 : 5 * cells + bytes / sizeof(double) + 1;
+}
+
+static void put_vector(const double *from, size_t i, double *to)
+{
+    int k;
+    for (k = 0; k < 3 && to; ++k) to[3 * i + (size_t)k] = from[k];
+}
+
+static void put_cells(const patic *t, int rank, const double *mu_of, const double *z, int *status, size_t *bad,
+                      double *centre, double *mean_normal, double *direction, double *mu, double *order)
+{
+    size_t c;
+    for (c = 0; c < t->cells; ++c) {
+        const patic_cell *cell = &t->cell[c];
+        double towards[3] = {0, 0, 0};
+        if (status) status[c] = cell->status;
+        if (bad) bad[c] = cell->bad;
+        if (cell->status != SURFMINK_OK) continue;
+        patic_direction(t, rank, z, c, towards);
+        put_vector(cell->centre, c, centre);
+        put_vector(cell->normal, c, mean_normal);
+        put_vector(towards, c, direction);
+        if (mu) mu[c] = mu_of[c];
+        if (order) order[c] = hypot(z[2 * c], z[2 * c + 1]);
+    }
+}
+
+static void put_defects(const patic *t, int rank, double *defect)
+{
+    size_t i;
+    for (i = 0; i < t->defects && defect; ++i, defect += 6) {
+        put_vector(t->defect[i].x, 0, defect);
+        defect[3] = (double)t->defect[i].k / rank;
+        defect[4] = t->defect[i].order;
+        defect[5] = t->defect[i].margin;
+    }
+}
+
+static void put_totals(const patic *t, int rank, double *totals)
+{
+    long charge = 0, boundary = 0;
+    size_t i;
+    for (i = 0; i < t->components; ++i) {
+        charge += t->component[i].charge;
+        boundary += t->component[i].boundary;
+    }
+    if (!totals) return;
+    totals[0] = (double)t->components;
+    totals[1] = (double)t->chi;
+    totals[2] = (double)charge / rank;
+    totals[3] = (double)boundary / rank;
+    totals[4] = t->spacing;
+}
+
+SURFMINK_DEF int surfmink_flat_patic(int kind, const double *corner, const double *normal, size_t n, double radius,
+                                     const size_t *offset, size_t cells, int rank, double weld, double ball,
+                                     int *status, size_t *bad, double *centre, double *mean_normal, double *direction,
+                                     double *mu, double *order, double *defect, size_t *defects, double *totals,
+                                     double *scratch)
+{
+    surfmink_outline all = outline_of(kind, corner, normal, n, radius);
+    double *z = scratch, *coarse, *mu_of;
+    patic t;
+    int failed;
+    if (surfmink_flat_patic_scratch(offset, cells, rank) == 0 || offset[0] != 0 || offset[cells] > n)
+        return SURFMINK_BAD_ARGUMENT;
+    coarse = z + 2 * cells;
+    mu_of = coarse + 2 * cells;
+    failed = patic_build(&t, &all, offset, cells, rank, weld, mu_of + cells);
+    if (failed == SURFMINK_OK) failed = patic_field(&t, rank, z, mu_of);
+    if (failed == SURFMINK_OK) failed = patic_coarsen(&t, rank, ball < 0 ? -ball * t.spacing : ball, z, coarse);
+    if (failed == SURFMINK_OK) failed = patic_charges(&t, rank, coarse);
+    if (failed != SURFMINK_OK) return failed;
+    patic_defects(&t, coarse);
+    put_cells(&t, rank, mu_of, coarse, status, bad, centre, mean_normal, direction, mu, order);
+    put_defects(&t, rank, defect);
+    put_totals(&t, rank, totals);
+    if (defects) *defects = t.defects;
+    return SURFMINK_OK;
+}
+
+static int is_of_patic(int status)
+{
+    return status == PATIC_OVERLAPS || status == PATIC_MEETS_ITSELF;
+}
+
 SURFMINK_DEF const char *surfmink_flat_strerror(int status)
 {
-    return surfmink_curve_strerror(status);
+    return is_of_patic(status) ? patic_strerror(status) : surfmink_curve_strerror(status);
 }
 
 SURFMINK_DEF const char *surfmink_flat_status_name(int status)
 {
-    return surfmink_curve_status_name(status);
+    return is_of_patic(status) ? patic_status_name(status) : surfmink_curve_status_name(status);
 }

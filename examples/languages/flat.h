@@ -69,7 +69,29 @@ SURFMINK_DEF int surfmink_flat_director(int kind, const double *corner, const do
                                         double *mean_normal, double *direction, double *coherence, double *scratch,
                                         size_t *bad);
 
-/* A status in a sentence and in a word, that of curve.h among them; "" for a number that is none. */
+/* The field of a tissue: patic_build, patic_field, patic_coarsen, patic_charges and patic_defects of patic.h. Returns
+   BAD_ARGUMENT for offsets that fall, do not begin with 0 or go beyond n, and for a rank, weld or ball without sense.
+   The status of a cell may be 64 or 65 besides: overlaps, meets_itself.
+   rank               of the field: 1 to 1000
+   weld               corners nearer than this are one; negative: 1e-6 of the mean edge
+   ball               the field is its mean over the cells within this distance; 0: as it is; negative: minus the
+                      distance in mean distances of neighbours
+   status, bad cells  out; of a refused cell nothing else is written
+   centre, mean_normal, direction 3 cells  out; plane: z = 0, and 0 0 1; direction: 0 0 0 where there is none
+   mu, order   cells  out: mu_rank of the outline, and |z| of the field
+   defect  6 (n / 2 + cells) out: x y z charge order margin of each
+   defects            out: how many
+   totals      5      out: components, Euler characteristic, sum of charges, boundary sum, mean distance of neighbours
+   scratch            numbers to work in, as many as the other call says; it says 0 if offsets fall, or for other ranks
+*/
+SURFMINK_DEF size_t surfmink_flat_patic_scratch(const size_t *offset, size_t cells, int rank);
+SURFMINK_DEF int surfmink_flat_patic(int kind, const double *corner, const double *normal, size_t n, double radius,
+                                     const size_t *offset, size_t cells, int rank, double weld, double ball,
+                                     int *status, size_t *bad, double *centre, double *mean_normal, double *direction,
+                                     double *mu, double *order, double *defect, size_t *defects, double *totals,
+                                     double *scratch);
+
+/* A status in a sentence and in a word, those of curve.h and patic.h among them; "" for a number that is none. */
 SURFMINK_DEF const char *surfmink_flat_strerror(int status);
 SURFMINK_DEF const char *surfmink_flat_status_name(int status);
 

@@ -1,5 +1,5 @@
 ! surfmink from Fortran: the interfaces of examples/languages/flat.h, which says what the arguments are, under shorter
-! names.
+! names; not that of the field of a tissue.
 !
 !   make shared
 !   gfortran examples/languages/surfmink.f90 examples/languages/cells.f90 -L.build -lsurfmink -Wl,-rpath,.build

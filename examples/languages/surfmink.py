@@ -15,7 +15,8 @@ refused, says surfmink.h.
 plane, sphere, embedded and surface measure outlines,
 curve_plane, curve_sphere and curve_embedded the smooth curves through the corners, with an estimate of their error,
 gradient_plane, gradient_sphere and gradient_embedded outlines, and the gradient of an energy by corners and normals,
-director_plane, director_sphere and director_embedded outlines, and their directions at the centre. All take
+director_plane, director_sphere and director_embedded outlines, and their directions at the centre,
+field_plane, field_sphere and field_embedded the p-atic field of a tissue, with its defects. All but these take
     corner    (N, 2) or (N, 3) numbers: the corners of all outlines, one outline after the other
     offset    (count + 1,) whole numbers: outline i has the corners offset[i] ... offset[i + 1] - 1.
               None: the corners are one outline
@@ -60,6 +61,9 @@ _signatures = {
     "flat_curve": (_int, _outline + [_int, _array, _int] + 5 * [_array] + [_size_p]),
     "flat_gradient": (_count, _outline + [_array, _count, _int] + 4 * [_array] + [_int] + 9 * [_array]),
     "flat_director": (_int, _outline + [_int] + 8 * [_array] + [_size_p]),
+    "flat_patic_scratch": (_count, [_array, _count, _int]),
+    "flat_patic": (_int, _outline + [_array, _count, _int, _double, _double] + 8 * [_array] + [_size_p]
+                   + 2 * [_array]),
     "spectrum": (_int, [_array, _int, _array, _array, _array]),
     "angles": (_int, [_array, _int, _int, _array]),
     "from_lonlat": (_int, [_double, _double, _double, _array]),
@@ -114,14 +118,14 @@ while _name(len(STATUS_NAMES)):
     STATUS_NAMES.append(_name(len(STATUS_NAMES)))
 
 OK = 0
-_STATUS = {_name(status): status for status in [*range(len(STATUS_NAMES)), 100]}  # 100: "unlike_edges", of curves
+_STATUS = {_name(status): status for status in [*range(len(STATUS_NAMES)), 64, 65, 100]}  # of fields, of curves
 _CALLBACK_FAILED, _BAD_ARGUMENT = _STATUS["callback_failed"], _STATUS["bad_argument"]
 
 
 class Refused(ValueError):
     """An outline that cannot be measured, or an argument without sense.
 
-    name      what is wrong: one of STATUS_NAMES, or of curves "unlike_edges"
+    name      what is wrong: one of STATUS_NAMES, or of curves "unlike_edges", of fields "overlaps", "meets_itself"
     status    its number
     corner    the corner to blame, or None where it is the whole outline or no outline at all
     outline   which outline of a batch, else None
@@ -605,6 +609,77 @@ def director_sphere(corner, offset=None, radius=1.0, max_rank=6):
 def director_embedded(corner, normal, offset=None, max_rank=6):
     """The same as of embedded: directions are orthogonal to mean_normal."""
     return _director(_embedded(corner, normal), offset, max_rank)
+
+
+# --- the field of a tissue --------------------------------------------------------------------------------------------
+
+Defects = collections.namedtuple("Defects", "x charge order margin")
+
+
+class Field(Results):
+    """The p-atic field of a tissue: patic.h, and docs/field.md, say what it is.
+
+    status, bad, ok, names, check    as of Results
+    centre, mean_normal     (count, 3)
+    mu, order               (count,): mu_rank of each outline; |z| of the field, of its mean if there is a ball
+    direction               (count, 3), unit: one of `rank`; 0 where there is none
+    defects                 x (m, 3), charge, order and margin (m,): charges that are not 0
+    components, chi         of the tissue; its Euler characteristic
+    charges, boundary       sum of the charges, and of the terms of boundaries. Together they are chi, but where cells
+                            are too large for the curvature
+    spacing                 mean distance of neighbours
+    """
+
+    def __init__(self, offset):
+        count = offset.size - 1
+        self._offset = offset
+        self.status = np.zeros(count, dtype=np.intc)
+        self.bad = np.zeros(count, dtype=np.uintp)
+        self.mu, self.order = (np.full(count, np.nan) for _ in range(2))
+        self.centre, self.mean_normal, self.direction = (np.full((count, 3), np.nan) for _ in range(3))
+
+
+def _field(outlines, offset, rank, ball, cells, weld):
+    rank, offset = _rank(rank), _offsets(offset, len(outlines))
+    if offset is None:
+        raise ValueError("a field needs offset, which says where each cell begins")
+    if offset[0] != 0 or np.any(offset[1:] < offset[:-1]):
+        raise ValueError("offset of a field begins with 0 and does not fall")
+    if cells is not None and ball != 0:
+        raise ValueError("ball and cells are the same distance in two units: give one of them")
+    if ball < 0 or (cells is not None and cells < 0) or (weld is not None and weld < 0):
+        raise Refused("bad_argument")
+    field, totals, found = Field(offset), np.full(5, np.nan), ctypes.c_size_t(0)
+    count = offset.size - 1
+    defect = np.full((len(outlines) // 2 + count, 6), np.nan)
+    scratch = np.empty(_library.surfmink_flat_patic_scratch(_at(offset), count, rank))
+    _check(_library.surfmink_flat_patic(
+        *outlines.in_c(), _at(offset), count, rank, -1.0 if weld is None else weld, -cells if cells else ball,
+        *(_at(a) for a in (field.status, field.bad, field.centre, field.mean_normal, field.direction, field.mu,
+                           field.order, defect)), ctypes.byref(found), _at(totals), _at(scratch)))
+    defect = defect[:found.value]
+    field.defects = Defects(defect[:, :3], *defect[:, 3:].T)
+    field.components, field.chi = int(totals[0]), int(totals[1])
+    field.charges, field.boundary, field.spacing = (float(total) for total in totals[2:])
+    return field
+
+
+def field_plane(corner, offset, rank=2, ball=0.0, cells=None, weld=None):
+    """The field of one rank, 1 to 1000, of a tissue whose outlines share their corners. corner (N, 2).
+    ball     mean over the cells within this distance; or
+    cells    the same in mean distances of neighbours, as 1.5
+    weld     corners nearer than this are one; None: than 1e-6 of the mean edge"""
+    return _field(_plane(corner), offset, rank, ball, cells, weld)
+
+
+def field_sphere(corner, offset, radius=1.0, rank=2, ball=0.0, cells=None, weld=None):
+    """The same of a tissue on a sphere. corner (N, 3), of which only directions count."""
+    return _field(_sphere(corner, radius), offset, rank, ball, cells, weld)
+
+
+def field_embedded(corner, normal, offset, rank=2, ball=0.0, cells=None, weld=None):
+    """The same of a tissue on a surface in space. corner (N, 3), outer normals (N, 3)."""
+    return _field(_embedded(corner, normal), offset, rank, ball, cells, weld)
 
 
 # --- helpers ----------------------------------------------------------------------------------------------------------

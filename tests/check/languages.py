@@ -1,7 +1,9 @@
-"""languages.py COMMAND TISSUE: holds examples/languages/surfmink.py to what it says. Needs numpy and the library."""
+"""languages.py SURFMINK PATIC TISSUE H3: holds examples/languages/surfmink.py to what it says, by two commands and two
+tissues. Needs numpy and the library."""
 import math
 import subprocess
 import sys
+import tempfile
 import traceback
 
 sys.dont_write_bytecode = True
@@ -10,7 +12,7 @@ sys.path.insert(0, "examples/languages")
 import numpy as np
 import surfmink
 
-command, tissue_table = sys.argv[1:]
+command, patic, tissue_table, h3_table = sys.argv[1:]
 theorems = []
 
 
@@ -93,13 +95,16 @@ def a_batch_says_what_single_calls_say():
             near([many.L[i], many.S[i], many.area[i]], [one.L, one.S, one.area], 4e-15 * 2 * math.pi)
 
 
+def tissue():
+    table = np.loadtxt(tissue_table, skiprows=4)
+    return table[:, 1:4].copy(), table[:, 4:7].copy(), surfmink.offsets(table[:, 0])
+
+
 @theorem
 def the_command_says_the_same_to_the_last_bit():
     lines = subprocess.run([command, "--max-rank", "7", tissue_table], capture_output=True, text=True, check=True)
     names, *rows = [line.split("\t") for line in lines.stdout.splitlines()]
-    table = np.loadtxt(tissue_table, skiprows=4)
-    corner, normal = table[:, 1:4].copy(), table[:, 4:7].copy()
-    cells = surfmink.embedded(corner, normal, surfmink.offsets(table[:, 0]), max_rank=7).check()
+    cells = surfmink.embedded(*tissue(), max_rank=7).check()
     assert len(rows) == len(cells.L) == 400
     for i, row in enumerate(rows):
         field = dict(zip(names, row))
@@ -545,6 +550,155 @@ def directors_of_many_are_those_of_each():
     raises(ValueError, "ascontiguousarray", surfmink.director_plane, square[::-1])
 
 
+# --- the field of a tissue --------------------------------------------------------------------------------------------
+
+def solid(faces):
+    """A Platonic solid as a tissue: the corners of its faces, counter-clockwise from outside; on the unit sphere."""
+    return surfmink.pack([np.array(face) / np.linalg.norm(face[0]) for face in faces])
+
+
+signs = [-1., 1.]
+octahedron = solid([[(a, 0, 0), (0, b, 0), (0, 0, c)][::int(a * b * c)] for a in signs for b in signs for c in signs])
+cube = solid([[np.roll((a, b, c), k) for b, c in ((-1, -1), (1, -1), (1, 1), (-1, 1))[::int(a)]]
+              for a in signs for k in range(3)])
+sheet = [square + (column, row) for row in range(3) for column in range(4)]  # of squares
+
+
+@theorem
+def charges_of_a_closed_tissue_sum_to_2():
+    for corner, offset in (octahedron, cube):
+        for rank in (1, 2, 3, 4, 5, 6, 12, 1000):
+            for ball in (0, 1.6):
+                for field in (surfmink.field_sphere(corner, offset, 3.0, rank, 3 * ball),
+                              surfmink.field_embedded(corner, 2 * corner, offset, rank, ball)):
+                    field.check()
+                    near([field.charges, field.chi, field.boundary, field.components], [2, 2, 0, 1])
+                    near(np.sum(field.defects.charge), 2)
+                    k = rank * field.defects.charge
+                    near(k, np.rint(k), 1e-12)
+                    assert field.defects.x.shape == (len(k), 3) and np.all(np.abs(field.defects.charge) > 0)
+
+
+@theorem
+def each_corner_of_a_solid_has_its_share_of_2():
+    for (corner, offset), rank, corners in ((octahedron, 6, 6), (cube, 4, 8)):
+        field = surfmink.field_sphere(corner, offset, 5.0, rank)
+        x, charge, order, margin = field.defects
+        near(charge, np.full(corners, 2 / corners))
+        near([order, margin], 1, 1e-12)
+        want = 5 * np.unique(corner, axis=0)
+        near(x[np.lexsort(x.T.round(9)[::-1])], want, 1e-13)
+        near(field.mu, 1, 1e-12)
+        near(field.order, 1, 1e-12)
+        near(np.linalg.norm(field.centre, axis=1), 5, 1e-13)
+        near(field.centre, 5 * field.mean_normal, 1e-13)
+        near(np.linalg.norm(field.direction, axis=1), 1)
+        near(np.sum(field.direction * field.mean_normal, axis=1), 0)
+        near(field.spacing, 5 * math.acos(1 / 3 if corners == 6 else 0), 1e-13)
+
+
+@theorem
+def twelve_pentagons_of_a_grid_of_hexagons_have_a_sixth_each():
+    with open(h3_table) as file:
+        rows = [line.split() for line in file if line[0] in "0123456789"]
+    corner = surfmink.from_lonlat([float(row[1]) for row in rows], [float(row[2]) for row in rows])
+    offset = surfmink.offsets([row[0] for row in rows])
+    field = surfmink.field_sphere(corner, offset, rank=6).check()
+    near(field.defects.charge, np.full(12, 1 / 6))
+    near([field.charges, field.chi], 2)
+    pentagon = np.flatnonzero(field.order == 0)
+    near(field.direction[pentagon], 0, 0)
+    near(field.mu[pentagon], 0, 1e-12)
+    near(field.defects.x[np.lexsort(field.defects.x.T)], field.centre[pentagon][np.lexsort(field.centre[pentagon].T)])
+
+
+@theorem
+def the_command_finds_the_same_field_to_the_last_bit():
+    for rank, name, ball in ((6, "1.5c", {"cells": 1.5}), (2, "30", {"ball": 30.}), (3, "0", {})):
+        with tempfile.NamedTemporaryFile("r") as file:
+            lines = subprocess.run([patic, "--rank", str(rank), "--radius", name, "--defects", file.name, tissue_table],
+                                   capture_output=True, text=True, check=True).stdout.splitlines()
+            defects = [line.split("\t") for line in file.read().splitlines()]
+        columns = dict(zip(lines[0].split("\t"), zip(*(line.split("\t") for line in lines[1:]))))
+        field = surfmink.field_embedded(*tissue(), rank=rank, **ball).check()
+        assert len(columns["id"]) == len(field.order) == 400 and len(defects) - 1 == len(field.defects.charge) > 10
+        for names, got in (("mu", field.mu), ("order", field.order), ("x y z", field.centre),
+                           ("nx ny nz", field.mean_normal), ("dx dy dz", field.direction)):
+            near(got.T, np.squeeze([np.array(columns[name], float) for name in names.split()]), 0)
+        columns = dict(zip(defects[0], zip(*defects[1:])))
+        for names, got in (("x y z", field.defects.x), ("charge", field.defects.charge),
+                           ("order", field.defects.order), ("margin", field.defects.margin)):
+            near(got.T, np.squeeze([np.array(columns[name], float) for name in names.split()]), 0)
+        near([field.charges, field.boundary, field.chi], [2, 0, 2], 1e-14)
+
+
+@theorem
+def a_cell_that_is_refused_is_a_hole():
+    twice, crossed = sheet[5], square[[0, 2, 1, 3]] + (9, 9)
+    whole = surfmink.field_plane(*surfmink.pack(sheet), 4)
+    some = surfmink.field_plane(*surfmink.pack(sheet + [twice, crossed, square[[0, 1, 1, 2]]]), 4)
+    assert list(some.names) == 12 * ["ok"] + ["overlaps", "crosses_itself", "coincident_corners"]
+    for name in ("mu", "order", "centre", "mean_normal", "direction"):
+        near(getattr(some, name)[:12], getattr(whole, name), 0)
+        assert np.isnan(getattr(some, name)[12:]).all()
+    error = raises(surfmink.Refused, "outline 12: overlaps: an edge of it belongs to another cell", some.check)
+    assert (error.status, error.outline, error.corner) == (64, 12, None)
+    assert some.bad[14] == 2 and surfmink.Refused("meets_itself").status == 65
+    ring = surfmink.field_plane(*surfmink.pack(sheet[:5] + [sheet[5][::-1]] + sheet[6:]), 4)
+    for field, chi in ((whole, 1), (some, 1), (ring, 0)):
+        near([field.charges + field.boundary, field.chi, field.components], [chi, chi, 1], 1e-13)
+        near(field.spacing, 1)
+        assert len(field.defects.charge) == 0
+    near(whole.centre, np.array([cell.mean(axis=0) for cell in sheet]) @ np.eye(2, 3))
+    near(whole.mean_normal, [[0, 0, 1]] * 12, 0)
+
+
+@theorem
+def a_ball_is_a_length_or_so_many_cells():
+    corner, offset = surfmink.pack(sheet)
+    corner = corner + .1 * np.sin(7 * corner[:, ::-1] + (1, 2))  # shared corners stay the same points
+    raw = surfmink.field_plane(corner, offset, 2)
+    near(raw.order, raw.mu, 1e-15)
+    for cells in (1.2, 3.0, 1e9):
+        one = surfmink.field_plane(corner, offset, 2, cells=cells)
+        near(one.order, surfmink.field_plane(corner, offset, 2, cells * raw.spacing).order, 0)
+        near(one.mu, raw.mu, 0)
+        assert np.max(np.abs(one.order - raw.order)) > .01
+    everywhere = one.order * np.exp(2j * np.arctan2(one.direction[:, 1], one.direction[:, 0]))
+    length = surfmink.plane(corner, offset).L
+    each = raw.mu * np.exp(2j * np.arctan2(raw.direction[:, 1], raw.direction[:, 0]))
+    near(everywhere, length @ each / length.sum(), 1e-13)
+    apart = corner + 1e-3 * np.cos(np.arange(len(corner)))[:, None]  # no two corners are the same
+    assert surfmink.field_plane(apart, offset, 2).components == 12
+    assert surfmink.field_plane(apart, offset, 2, weld=.01).components == 1
+    assert surfmink.field_plane(corner, offset, 2, weld=0).components == 1
+
+
+@theorem
+def arguments_of_a_field_without_sense_are_refused():
+    corner, offset = surfmink.pack(sheet)
+    field = surfmink.field_plane
+    for named in ({"rank": 0}, {"rank": 1001}, {"rank": 2 ** 31 - 2}, {"rank": -1}, {"ball": -1.0}, {"cells": -1.0},
+                  {"weld": -1.0}, {"ball": math.nan}, {"cells": math.nan}, {"weld": math.nan}, {"weld": math.inf}):
+        raises(surfmink.Refused, "bad_argument", field, corner, offset, **named)
+    raises(ValueError, "give one", field, corner, offset, ball=1.0, cells=1.0)
+    raises(ValueError, "offset", field, corner, None)
+    for wrong in ([4, 8], [0, 8, 4], [0, 49]):
+        raises(ValueError, "offset", field, corner, wrong)
+        into, scratch = np.array(wrong, np.uintp), np.empty(5000)
+        assert surfmink._STATUS["bad_argument"] == surfmink._library.surfmink_flat_patic(
+            *surfmink._plane(corner).in_c(), into.ctypes.data, len(wrong) - 1, 2, -1.0, 0.0, *8 * [None], None, None,
+            None, scratch.ctypes.data)
+    raises(TypeError, "float32", field, corner.astype(np.float32), offset)
+    raises(ValueError, "3 corners, but 2 normals", surfmink.field_embedded, octant, octant[:2], [0, 3])
+    empty = field(np.empty((0, 2)), [0])
+    assert (empty.components, empty.chi, empty.order.shape, len(empty.defects.charge)) == (0, 0, (0,), 0)
+    one = field(square, [0, 4], 4)
+    near([one.components, one.chi, one.charges, one.boundary, one.spacing], [1, 1, 0, 1, 0])
+    bare = surfmink.field_sphere(corner[:3] @ np.eye(2, 3), [0, 3], -1.0)
+    assert list(bare.names) == ["bad_argument"]
+
+
 # --- memory -----------------------------------------------------------------------------------------------------------
 
 @theorem
@@ -575,6 +729,9 @@ def nothing_is_written_beyond_the_memory_that_is_handed_over():
                         for does, named in (("curve", {}), ("gradient", weights), ("director", {})):
                             measured = getattr(surfmink, does + "_" + kind)(*arrays, offset, max_rank=9, **named)
                             assert np.all(measured.status == 0)
+        for rank in (1, 6, 1000):
+            for corner, offset in (octahedron, cube, (circle(200, .5), [0, 200])):
+                assert surfmink.field_embedded(corner, corner, offset, rank, cells=2).ok.all()
         for measure in (surfmink.plane, surfmink.gradient_plane, surfmink.curve_plane):  # not the largest last
             assert list(measure(circle(200), [0, 200, 3]).names) == ["ok", "bad_argument"]
     finally:
