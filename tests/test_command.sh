@@ -837,7 +837,7 @@ awk 'NR == 1 { names = $0; next }
      { print > file }' in
 for surface in plane sphere embedded; do
     for options in "--max-rank 12" "--reverse auto --directions" \
-        "--reverse auto --merge --smooth 1 --transport parallel --json" "--order 4 --error --sharp 40"; do
+        "--reverse auto --merge --smooth 1 --transport parallel --json" "--order 4 --error --sharp 40" "--noise 1%"; do
         run --surface $surface $options in
         check "$surface $options, together as alone" "$status $(cat out)" \
             "2 $("$surfmink" --surface $surface $options alone.* 2> err | sed 's/^alone[^	]*	//; s/^file	//
@@ -1453,6 +1453,124 @@ check "order 4 of a mesh on a sphere" "$(column status)" "$(run cube.off --surfa
 run cube.off --error
 check "estimates of a mesh" "$(field 1 error_4)" 1
 
+# --- noise ------------------------------------------------------------------------------------------------------------
+
+# draws SURFACE COUNT DEVIATION EDGE: a cell, and so many copies of it whose corners have been moved along the surface by
+# chance. Of seven corners two are EDGE apart, in parts of their way to the next. The sphere has radius 10.
+draws() {
+    awk -v surface="$1" -v draws="$2" -v s="$3" -v short="$4" '
+        function chance() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
+        function normal() { return sqrt(-2 * log(chance())) * cos(6.283185307179586 * chance()) }
+        BEGIN {
+            seed = 20261129
+            split("1.3 0.1 0.6 0.9 -0.4 1.1 -1.2 0.2 -0.7 -0.8 0.5 -1", at, " ")
+            for (i = 0; i < 6; ++i) { x[i] = at[2 * i + 1]; y[i] = at[2 * i + 2] }
+            n = 6 + (short > 0)
+            x[6] = x[5] + short * (x[0] - x[5])
+            y[6] = y[5] + short * (y[0] - y[5])
+            print surface == "plane" ? "cell x y" : surface == "sphere" ? "cell x y z" : "cell x y z nx ny nz"
+            for (i = 0; i < n; ++i) {
+                if (surface == "plane") { nx[i] = ny[i] = z[i] = 0; nz[i] = 1; continue }
+                if (surface == "sphere") {
+                    z[i] = sqrt(100 - x[i] * x[i] - y[i] * y[i])
+                    nx[i] = x[i]; ny[i] = y[i]; nz[i] = z[i]
+                } else { # a saddle
+                    z[i] = 0.1 * (x[i] * x[i] - y[i] * y[i])
+                    nx[i] = -0.2 * x[i]; ny[i] = 0.2 * y[i]; nz[i] = 1
+                }
+                size = sqrt(nx[i] * nx[i] + ny[i] * ny[i] + nz[i] * nz[i])
+                nx[i] /= size; ny[i] /= size; nz[i] /= size
+            }
+            for (k = 0; k <= draws; ++k)
+                for (i = 0; i < n; ++i) {
+                    a = k ? s * normal() : 0; b = k ? s * normal() : 0; c = k ? s * normal() : 0
+                    up = a * nx[i] + b * ny[i] + c * nz[i]
+                    printf "%d %.17g %.17g", k, x[i] + a - up * nx[i], y[i] + b - up * ny[i]
+                    if (surface != "plane") printf " %.17g", z[i] + c - up * nz[i]
+                    if (surface == "embedded") printf " %.17g %.17g %.17g", nx[i], ny[i], nz[i]
+                    print ""
+                }
+        }'
+}
+# The range of sigma_2 ... sigma_6 over the deviations of mu_2 ... mu_6 in the draws that were measured.
+sigma_over_draws() {
+    awk -F '\t' '
+        NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+        NR == 2 { for (p = 2; p <= 6; ++p) { mu[p] = $at["mu_" p]; sigma[p] = $at["sigma_" p] }; next }
+        $at["status"] == "ok" { ++n; for (p = 2; p <= 6; ++p) {
+            d = $at["mu_" p] - mu[p]; sum[p] += d; square[p] += d * d } }
+        END {
+            for (p = 2; p <= 6; ++p) {
+                ratio = sigma[p] / sqrt(square[p] / n - sum[p] / n * sum[p] / n)
+                if (p == 2 || ratio < least) least = ratio
+                if (p == 2 || ratio > most) most = ratio
+            }
+            print least, most
+        }' out
+}
+within() { # within NAME LEAST MOST: all ratios are
+    said=$(sigma_over_draws)
+    echo "$said" | awk -v least="$2" -v most="$3" '{ exit !($1 > least && $2 < most) }'
+    count $? "$1" "$said" "$2 to $3"
+}
+for surface in plane sphere embedded; do
+    radius=; [ $surface = sphere ] && radius="--radius 10"
+    draws $surface 1000 0.02 0 > in # 1000 draws tell a deviation to 2.2 %
+    run --surface $surface $radius --noise 0.02
+    check "noise, $surface: exit status" "$status $(cat err)" "0 "
+    within "noise, $surface: sigma is that of 1000 draws" 0.9 1.1
+    draws $surface 1000 0.02 1e-6 > in
+    run --surface $surface $radius --noise 0.02 --quiet --crossings always
+    within "noise, $surface: a short edge does not matter" 0.85 1.6
+done
+draws sphere 0 0 0 > in
+run --surface sphere --radius 10 --noise 0.02
+mv out far
+run --surface sphere --noise 0.002
+near "noise: S is in the unit of the radius" "$(field 1 sigma_3)" \
+    "$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "sigma_3") at = i } NR == 2 { print $at }' far)"
+
+square > in
+run --noise 0.01
+check "noise: columns" "$(head -n 1 out | cut -f 18-24 | tr '\t' ' ')" \
+    "theta_6 sigma_1 sigma_2 sigma_3 sigma_4 sigma_5 sigma_6"
+near "noise: a square has mu_1 = 0 whatever happens" "$(field 1 sigma_1)" 0
+# The two parts of g_2 / L vary independently by S / sqrt(2) (lengths) and S sqrt(2) (directions): the modulus varies by
+# S sqrt(5 / 2 - 4 E(3/4)^2 / pi), E the complete elliptic integral.
+near "noise: sigma_2 of a square" "$(field 1 sigma_2)" 0.007953582140 1e-8
+check "noise: which has no direction" "$(field 1 theta_2)" ""
+one=$(field 1 sigma_2)
+run --noise 1%
+check "noise: a part of the mean edge, which is 1 here" "$(field 1 sigma_2)" "$one"
+run --noise=1% --directions --max-rank 2
+check "noise: before directions" "$(head -n 1 out | cut -f 8- | tr '\t' ' ')" \
+    "mu_2 theta_1 theta_2 sigma_1 sigma_2 e_1_x e_1_y e_2_x e_2_y"
+run --noise 1% --directions center --error --max-rank 1
+check "noise: after estimates" "$(head -n 1 out | cut -f 7- | tr '\t' ' ')" \
+    "mu_1 error_L error_1 theta_1 sigma_1 center_x center_y e_1_x e_1_y coherence_1"
+run --noise 0
+check "no noise: sigma is 0" "$(cut -f 19-24 out | tail -n 1 | tr '\t' ' ')" "0 0 0 0 0 0"
+run --noise 0.0999 --max-rank 7 # p S = 0.6 edges at p = 6, and nearly 0.7
+check "noise: more than is known is not told" "$([ "$(field 1 sigma_6)" ] && echo told) $(field 1 sigma_7)" "told "
+run --noise 1e100
+check "noise: nor anything of absurd noise" "$status $(cut -f 19-24 out | tail -n 1 | tr -d '\t')" "0 "
+run --noise 1e100 --max-rank 2 --json
+has "noise: in JSON" out ',"sigma_1":null,"sigma_2":null}'
+run --noise 1% --max-rank 1 --json
+has "noise: in JSON, known" out ',"theta_1":null,"sigma_1":'
+
+printf 'cell x y\na 0 0\na 0 1\na 1 1\nb 0 0\nb 1 0\nb 1 1\nc 0 0\nc 1 0\n' > in
+run --noise 0.01
+refused "noise, and a clockwise outline" clockwise 2
+check "noise: all rows have all columns" "$(awk -F '\t' 'NF != 24' out)" ""
+check "noise: what is refused has none" "$(awk -F '\t' 'NR > 1 { print ($19 != "") ($24 != "") }' out | tr '\n' ' ')" \
+    "00 11 00 "
+one=$(field 2 sigma_4)
+run --noise 0.01 --reverse auto --quiet
+near "noise: turned round" "$(field 1 sigma_4)" "$one"
+run --noise 0.01 --json --quiet
+check "noise: refused in JSON" "$(grep -c '"sigma_1":null,"sigma_2":null' out)" 2
+
 # --- usage ------------------------------------------------------------------------------------------------------------
 
 : > in
@@ -1460,8 +1578,8 @@ run --help
 check "help: exit status" "$status" 0
 check "help leads with examples" "$(sed -n 3p out)" EXAMPLES
 for option in surface radius max-rank transport order error sharp smooth reverse merge digits directions json svg \
-    color-by view histogram scatter ply title unit id columns y-down normals parts repair crossings resample summary \
-    quiet help version; do
+    color-by view histogram scatter ply title unit id columns y-down normals parts repair crossings resample noise \
+    summary quiet help version; do
     has "help explains --$option" out "  --$option"
 done
 run --version
@@ -1488,6 +1606,14 @@ wrong "--sharp is an angle between 0 and 180 degrees, not 'x'" --order 4 --sharp
 wrong "--sharp is for --order 4 and --error" --sharp 30
 wrong "--transport parallel has neither --order 4 nor --error" --transport parallel --order 4
 wrong "--transport parallel has neither --order 4 nor --error" --transport parallel --error
+for value in -1 x 1m 2%% % nan inf 1e101 ''; do
+    wrong "--noise is a length, or a part of the mean edge as 2%, and not negative, not '$value'" "--noise=$value"
+done
+wrong "--noise needs a value" --noise
+wrong "--noise has neither --order 4 nor --transport parallel" --noise 0.1 --order 4
+wrong "--noise has neither --order 4 nor --transport parallel" --noise 0.1 --transport parallel
+wrong "--noise is that of corners as measured" --noise 0 --smooth 1
+wrong "--noise is that of corners as measured" --noise 0 --resample 1
 wrong "--radius needs a value" --radius
 wrong "--radius is a positive number, not '0'" --radius 0
 wrong "--radius is a positive number, not 'nan'" --radius nan

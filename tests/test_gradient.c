@@ -1511,7 +1511,7 @@ THEOREM(sigma_is_the_norm_of_the_gradient)
         }
 }
 
-/* Noise of twice the size has four times the bias; in another unit, a power of two, the same bits. */
+/* Noise of twice the size, small against all edges, has four times the bias; in another unit, a power of two, the same bits. */
 THEOREM(noise_scales_as_it_should)
 {
     static outline o, scaled;
@@ -1523,9 +1523,10 @@ THEOREM(noise_scales_as_it_should)
         for (which = 0; which < 10; ++which) {
             some_cell(&c, (enum surfmink_kind)surface, which == 0, &o);
             CASE("%s %d", surface_name[surface], which);
+            CHECK_OK(noise(&o, 0.01 / 32, &one));
+            CHECK_OK(noise(&o, 0.02 / 32, &two));
+            for (p = 1; p <= SMALL; ++p) CHECK_NEAR(two.bias[p], 4 * one.bias[p], 1e-16);
             CHECK_OK(noise(&o, 0.01, &one));
-            CHECK_OK(noise(&o, 0.02, &two));
-            for (p = 1; p <= SMALL; ++p) CHECK_NEAR(two.bias[p], 4 * one.bias[p], 1e-13);
             scaled = o;
             for (i = 0; i < dim_of(&o) * o.n; ++i) scaled.corner[i] *= 1024;
             scaled.radius = surface == SURFMINK_SPHERE ? 1024 : 1;
@@ -1536,6 +1537,37 @@ THEOREM(noise_scales_as_it_should)
             }
             CHECK_OK(noise(&o, 0, &one));
             for (p = 0; p <= SMALL; ++p) CHECK(!(one.sigma[p] > 0) && !(fabs(one.bias[p]) > 0));
+        }
+}
+
+/* An edge shorter than the noise turns by any angle, and cannot change more than itself: less than the noise can. No
+   number from 0 to 1 varies by more than 1/2. */
+THEOREM(short_edges_do_not_make_sigma_large)
+{
+    static outline o, shorter;
+    chance c = {30};
+    sure with, without;
+    int surface, which, p;
+    size_t k, dim;
+    for (surface = 0; surface < SURFACES; ++surface)
+        for (which = 0; which < 10; ++which) {
+            some_cell(&c, (enum surfmink_kind)surface, 0, &o);
+            shorter = o;
+            dim = dim_of(&o);
+            for (k = 0; k < dim; ++k) { /* a corner 1e-6 of an edge behind the last one */
+                shorter.corner[dim * o.n + k] =
+                    o.corner[dim * (o.n - 1) + k] + 1e-6 * (o.corner[k] - o.corner[dim * (o.n - 1) + k]);
+                if (surface == SURFMINK_EMBEDDED) shorter.normal[dim * o.n + k] = o.normal[dim * (o.n - 1) + k];
+            }
+            ++shorter.n;
+            CASE("%s %d", surface_name[surface], which);
+            CHECK_OK(noise(&o, 0.004, &without));
+            CHECK_OK(noise(&shorter, 0.004, &with));
+            for (p = 2; p <= SMALL; ++p) {
+                CHECK(with.sigma[p] > without.sigma[p] / 3 && with.sigma[p] < 3 * without.sigma[p]);
+                CHECK(with.sigma[p] <= 0.5);
+                CHECK(fabs(with.bias[p]) <= 1);
+            }
         }
 }
 
@@ -1601,6 +1633,7 @@ int main(void)
     PROVE(the_bias_is_the_laplacian_of_mu_squared);
     PROVE(sigma_is_the_norm_of_the_gradient);
     PROVE(noise_scales_as_it_should);
+    PROVE(short_edges_do_not_make_sigma_large);
     PROVE(noise_that_is_refused_changes_nothing_and_is_named);
     return QED();
 }

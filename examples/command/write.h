@@ -109,6 +109,8 @@ static void write_row(FILE *out, const options *o, const powers_of_ten *powers, 
     if (o->error) put_number(&w, "error_L", 0, 0, ok ? ok->error : NULL);
     for (p = 1; p <= o->max_rank && o->error; ++p) put_number(&w, "error", p, 0, ok ? ok->error + p : NULL);
     for (p = 1; p <= o->max_rank; ++p) put_number(&w, "theta", p, 0, ok && has_direction(ok, p) ? ok->theta + p : NULL);
+    for (p = 1; p <= o->max_rank && o->noise; ++p)
+        put_number(&w, "sigma", p, 0, ok && ok->sigma ? ok->sigma + p : NULL);
     for (p = 1; p <= o->max_rank && o->directions == AT_FIRST_EDGE; ++p) put_direction(&w, p, stride_of(surface), ok);
     if (o->directions == AT_CENTER) put_directors(&w, o->max_rank, stride_of(surface), ok);
     fputs(row == JSON_OBJECT ? "}\n" : "\n", out);
