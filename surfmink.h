@@ -1676,8 +1676,10 @@ static double surfmink__area_embedded(const surfmink_outline *o)
         squares += weight * (5 + bend);
         slopes += weight * 3 * (n_up + m_up);
         for (k = 0; k < 3; ++k) n[k] += m[k];
-        surfmink__cross(e, n, cross); /* 2 l times the co-normal, but for the cosine of half the angle of n and m */
-        segments -= turn / 24 * (1.25 - 0.25 * bend) * surfmink__dot(cross, direction);
+        /* l a / 12 of the co-normal e x (n + m), for a circle with its series in the square of sin(angle(n, m) / 2) */
+        surfmink__cross(e, n, cross);
+        bend = 0.5 - 0.5 * bend;
+        segments -= turn / 24 * (1 + bend * (0.8 + 0.685 * bend)) * surfmink__dot(cross, direction);
         for (k = 0; k < 3; ++k) n[k] = m[k];
         n_up = m_up;
     }
