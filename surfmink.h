@@ -85,9 +85,9 @@
      sphere, edges steep against the tangent plane, needles, spikes, spirals, next to great circles; docs/trust.md has
      the worst found. c is about rounding, not about errors of the corners themselves: a corner that is off by e may
      change mu_p by 2 pi p e / (S l) or so, with l the length of its edges.
-     Angles come from differences of corners and an arctangent, never arccos; long sums are compensated. Corners that the
-     plain formulas do not measure well (spikes, edges steep against the tangent plane or longer than 100 degrees on a
-     sphere, absurd units) are measured with twice the digits, each by itself; they take fifty times as long.
+     Angles come from differences of corners and an arctangent, never arccos; long sums are compensated. Corners that
+     the plain formulas do not measure well (spikes, edges steep against the tangent plane or longer than 100 degrees
+     on a sphere, absurd units) are measured with twice the digits, each by itself; they take fifty times as long.
 
    DETERMINISM
      The same program on the same machine gives the same bits, whatever the thread or the locale, and in a batch
@@ -274,7 +274,8 @@ SURFMINK_DEF int surfmink_edges(const surfmink_outline *outline, double *length,
      plane: S = 2 pi and area >= 0 is right, S = -2 pi and area <= 0 CLOCKWISE, all else CROSSES_ITSELF; an area
        within 1e-15 L^2 is 0 up to rounding
      sphere: likewise with S + area / R^2 = 2 pi, area >= 0, and with both signs turned
-     embedded: S in [pi, 3 pi] is right. Otherwise the solid angle W of the polygon of normals (the Gauss image) decides:
+     embedded: S in [pi, 3 pi] is right. Otherwise the solid angle W of the polygon of normals (the Gauss image)
+     decides:
        S + W = 2 pi modulo 4 pi within pi, with S > 0, is right; with S < 0 CLOCKWISE if the vector area of the corners
        points against their mean normal; all else CROSSES_ITSELF
      surface, or no outline: S < 0 is CLOCKWISE; nothing is known of crossings.
@@ -716,8 +717,9 @@ static void surfmink__unit(const double *v, size_t dim, double *unit)
 
 /* Angle of (x, y) in [-pi, pi], 0 of (0, 0), for magnitudes from 1e-150 to 1e150: the arctangent of a ratio t within
    tan(pi / 8) of 0, to which pi / 4, pi / 2 and pi are added with what they have beyond a double. The polynomial
-   interpolates at Chebyshev's points; tests/accuracy/kernels.c computes and checks it. Multiples of 45 degrees are exact.
-   Worst error in 1e7 angles: 3.3e-16, at y, x = 0x1.806e10dc69775p-1, -0x1.d00c4948d5e5fp+0; relative 2.9e-16. */
+   interpolates at Chebyshev's points; tests/accuracy/kernels.c computes and checks it. Multiples of 45 degrees are
+   exact. Worst error in 1e7 angles: 3.3e-16, at y, x = 0x1.806e10dc69775p-1, -0x1.d00c4948d5e5fp+0; relative
+   2.9e-16. */
 SURFMINK__INLINE double surfmink__atan2_lane(double y, double x)
 {
     double across = y < 0 ? -y : y, along = x < 0 ? -x : x, t, u, uu, odd, even, sign, offset, rest;
@@ -756,9 +758,9 @@ SURFMINK__INLINE double surfmink__round_lane(double x)
     return (double)(int)(x + (x < 0 ? -0.5 : 0.5));
 }
 
-/* exp(i angle) for |angle| < 1e9: (-1)^k exp(i x) with an integer k and |x| <= pi / 2. k pi is taken off in two parts, of
-   which the first has 33 bits, so that for k < 2^20 nothing is lost. Coefficients as in surfmink__atan2_lane.
-   Worst error of either part in 3e6 angles within 4 pi: 3.6e-16, at -0x1.5ea986be1de39p+3. */
+/* exp(i angle) for |angle| < 1e9: (-1)^k exp(i x) with an integer k and |x| <= pi / 2. k pi is taken off in two
+   parts, of which the first has 33 bits, so that for k < 2^20 nothing is lost. Coefficients as in
+   surfmink__atan2_lane. Worst error of either part in 3e6 angles within 4 pi: 3.6e-16, at -0x1.5ea986be1de39p+3. */
 SURFMINK__INLINE void surfmink__cis_lane(double angle, double *re, double *im)
 {
     double k = surfmink__round_lane(angle * 0.31830988618379067), x, u, cosine, sine, half;
@@ -788,7 +790,8 @@ static void surfmink__cis(double angle, double *re, double *im)
     surfmink__cis_lane(surfmink__reduced(angle), re, im);
 }
 
-/* 2 asin(chord / 2) of a chord up to 1, u its square. Worst relative error in 1e6 chords: 1.2e-16, at 0x1.fd107a273f0f5p-1. */
+/* 2 asin(chord / 2) of a chord up to 1, u its square. Worst relative error in 1e6 chords: 1.2e-16, at
+   0x1.fd107a273f0f5p-1. */
 SURFMINK__INLINE double surfmink__arc_lane(double chord, double u)
 {
     double uu = u * u, even, odd;
@@ -907,8 +910,8 @@ static int surfmink__blame(int status, size_t corner, size_t *bad)
     return status;
 }
 
-/* What comes out of some corners on end: the length of the edge that leaves it, and the sine and cosine of its turn up to
-   a common factor. */
+/* What comes out of some corners on end: the length of the edge that leaves it, and the sine and cosine of its turn
+   up to a common factor. */
 typedef struct surfmink__quad {
     double length[SURFMINK__QUAD], sine[SURFMINK__QUAD], cosine[SURFMINK__QUAD];
     double in[SURFMINK__QUAD], out[SURFMINK__QUAD]; /* squares of the edges; out is 0 where something else is wrong */
@@ -1220,7 +1223,8 @@ static const double *surfmink__window(const surfmink_outline *o, const double *f
     return copy;
 }
 
-/* Normals of neighbours that are 90 degrees apart or more, or not of ordinary size, are none that plain formulas take. */
+/* Normals of neighbours that are 90 degrees apart or more, or not of ordinary size, are none that plain formulas
+   take. */
 static void surfmink__between_normals(const double *n, surfmink__quad *l)
 {
     double nn;
@@ -1243,8 +1247,8 @@ static double surfmink__ray_scale(const surfmink_outline *o)
 
 /* Great-circle edges of corners that may lie a little off the sphere. The direction of an edge in the tangent plane is
    that of the chord; its length needs the chord within the unit sphere, whose square is
-   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. A corner is not plain where the edge rises by more than a tenth of its length, is
-   shorter than eps, or ends next to the antipode. */
+   (|y - x|^2 - (|y| - |x|)^2) / |x||y|. A corner is not plain where the edge rises by more than a tenth of its
+   length, is shorter than eps, or ends next to the antipode. */
 static void surfmink__arcs(const double *x, double radius, surfmink__quad *l)
 {
     double norm[SURFMINK__QUAD + 1], rise, chord[SURFMINK__QUAD], root[SURFMINK__QUAD];
@@ -1590,10 +1594,10 @@ static int surfmink__alike(const surfmink_outline *o, double scale)
     return 1;
 }
 
-/* The solid angle from corner 0; where an edge passes next to the point opposite to it, from the pole of the outline, or
-   the best of directions all over the sphere: the curve passes next to few of these. The number of a triangle amplifies
-   rounding by the inverse of its modulus. Returns the smallest modulus: it is small from everywhere where corners are
-   almost antipodal. */
+/* The solid angle from corner 0; where an edge passes next to the point opposite to it, from the pole of the outline,
+   or the best of directions all over the sphere: the curve passes next to few of these. The number of a triangle
+   amplifies rounding by the inverse of its modulus. Returns the smallest modulus: it is small from everywhere where
+   corners are almost antipodal. */
 static double surfmink__solid_angle(const surfmink_outline *o, double *solid_angle)
 {
     static const double direction[14][3] = {{1, .1, .2},   {-1, -.2, .1}, {.2, 1, -.1},  {-.1, -1, -.2}, {.1, -.2, 1},
@@ -1639,11 +1643,11 @@ static void surfmink__mean_normal(const surfmink_outline *o, double mean[3])
 }
 
 /* The area of a surface in space between geodesic edges. Its vector area is that of the chords and of the segments
-   between chords and geodesics: l a / 12 of an edge along which the normal turns by a = dn . e, in the plane of e and n.
-   The part of the vector area along its own direction N is the area times the mean of n . N = 1 - |n - N|^2 / 2. Inside,
-   n - N is linear in the place to first order, and so the mean of its square over a triangle (centre, x, y) is a sixth
-   of |a|^2 + a.b + |b|^2 = 5 + n.m - 3 (n + m).N, where a = n - N and b = m - N at x and y; the triangles are weighted by
-   their area. */
+   between chords and geodesics: l a / 12 of an edge along which the normal turns by a = dn . e, in the plane of e and
+   n. The part of the vector area along its own direction N is the area times the mean of n . N = 1 - |n - N|^2 / 2.
+   Inside, n - N is linear in the place to first order, and so the mean of its square over a triangle (centre, x, y)
+   is a sixth of |a|^2 + a.b + |b|^2 = 5 + n.m - 3 (n + m).N, where a = n - N and b = m - N at x and y; the triangles
+   are weighted by their area. */
 static double surfmink__area_embedded(const surfmink_outline *o)
 {
     double scale = 0, direction[3], centre[3] = {0, 0, 0}, n[3], m[3], to_x[3], e[3], cross[3];
@@ -1778,8 +1782,8 @@ static int surfmink__check_plane(const surfmink_outline *o, surfmink_functionals
 }
 
 /* On the sphere S + solid angle is an odd multiple of 2 pi for all outlines that can be drawn without crossings; and
-   what is enclosed, 2 pi - S, lies between 0 and 2 pi if they are drawn right. The solid angle is known modulo 4 pi, and
-   has more digits than 2 pi - S unless corners are almost antipodal. */
+   what is enclosed, 2 pi - S, lies between 0 and 2 pi if they are drawn right. The solid angle is known modulo 4 pi,
+   and has more digits than 2 pi - S unless corners are almost antipodal. */
 static int surfmink__check_sphere(const surfmink_outline *o, double turned, surfmink_functionals *w)
 {
     double solid_angle = 0, windings, modulus = surfmink__solid_angle(o, &solid_angle);
@@ -1902,8 +1906,8 @@ static int surfmink__factor(const double *turning, size_t n, int transport, doub
     return SURFMINK_OK;
 }
 
-/* Phases of edges first, first + 1, ... `turned` carries the sum of the turns from call to call; that before edge 0 does
-   not count. */
+/* Phases of edges first, first + 1, ... `turned` carries the sum of the turns from call to call; that before edge 0
+   does not count. */
 static void surfmink__add_turns(const double *turning, size_t count, double factor, surfmink__dd *turned, size_t first,
                                 double *phase)
 {
@@ -2050,8 +2054,8 @@ static double surfmink__ratio(double re, double im, double length)
     return mu > 1 ? 1 : mu;
 }
 
-/* g_p, mu_p and arg(g_p) / p of the ranks from 0 on. Phases are given, or factor times the sum of the turns. Nothing is written of
-   the 24 ranks at hand before all edges are known. */
+/* g_p, mu_p and arg(g_p) / p of the ranks from 0 on. Phases are given, or factor times the sum of the turns. Nothing
+   is written of the 24 ranks at hand before all edges are known. */
 static int surfmink__integrate(const surfmink__polygon *p, const double *phase, double factor, double length,
                                int max_rank, double *mu, double *g, double *theta)
 {
@@ -2735,10 +2739,10 @@ static double surfmink__area_of(const surfmink__job *job, size_t i, double area)
 #endif /* SURFMINK__NATIVE */
 #endif /* SURFMINK_IMPLEMENTATION */
 
-/* Kernels: the formulas of the four steps for groups of outlines, a lane each, or for strips of a long one. They measure
-   what the plain formulas measure and leave the rest to the scalar path. This part is compiled for every set of vector
-   instructions in use: SURFMINK__(name) is the name of the instance at hand. A row holds one corner of each lane; stages
-   pass over rows that stay in the first-level cache. */
+/* Kernels: the formulas of the four steps for groups of outlines, a lane each, or for strips of a long one. They
+   measure what the plain formulas measure and leave the rest to the scalar path. This part is compiled for every set
+   of vector instructions in use: SURFMINK__(name) is the name of the instance at hand. A row holds one corner of each
+   lane; stages pass over rows that stay in the first-level cache. */
 #ifdef SURFMINK__INSTANCE
 
 #define SURFMINK__LANES           ((size_t)8)
@@ -3025,8 +3029,8 @@ SURFMINK__VECTOR void SURFMINK__(multiply)(surfmink__real *re, surfmink__real *i
     *re = t;
 }
 
-/* Angle at the centre of an arc from the square of its chord, up to 120 degrees: beyond 60 degrees twice that of half the
-   arc. */
+/* Angle at the centre of an arc from the square of its chord, up to 120 degrees: beyond 60 degrees twice that of half
+   the arc. */
 SURFMINK__VECTOR surfmink__real SURFMINK__(arc)(surfmink__real square)
 {
     surfmink__mask wide = SURFMINK__LESS(SURFMINK__SET(1.0), square);
@@ -3419,10 +3423,11 @@ SURFMINK__KERNEL void SURFMINK__(measure_rows)(const surfmink__job *job, const S
     SURFMINK__(angles)(r, rows, t);
 }
 
-/* Which lanes have all their corners measured by the plain formulas, and are right or clockwise as a whole: their number
-   of good rows becomes 1, or -1, that of others 0; these go to the scalar path. S is what the surface says it is: 2 pi in
-   the plane, 2 pi - area on the sphere, which has more digits than a sum of rounded turns. Phases go by the sum, for that
-   closes. Rounding is amplified by 1 / S, and again where the sum of the turns exceeds S by far on the way. */
+/* Which lanes have all their corners measured by the plain formulas, and are right or clockwise as a whole: their
+   number of good rows becomes 1, or -1, that of others 0; these go to the scalar path. S is what the surface says it
+   is: 2 pi in the plane, 2 pi - area on the sphere, which has more digits than a sum of rounded turns. Phases go by
+   the sum, for that closes. Rounding is amplified by 1 / S, and again where the sum of the turns exceeds S by far on
+   the way. */
 SURFMINK__KERNEL void SURFMINK__(accept)(const surfmink__job *job, SURFMINK__(totals) *t)
 {
     const surfmink__real two_pi = SURFMINK__SET(6.2831853071795865), zero = SURFMINK__SET(0.0);
@@ -3907,7 +3912,8 @@ static size_t surfmink__measure_some(const surfmink__job *job, size_t first, siz
     return refused;
 }
 
-/* How many outlines to take at a time: few if they are long, so that threads have something to share; else full groups. */
+/* How many outlines to take at a time: few if they are long, so that threads have something to share; else full
+   groups. */
 static size_t surfmink__window_size(const surfmink__job *job, size_t count)
 {
     size_t size = count / (job->all->n / 16384 + 1);
@@ -3959,6 +3965,9 @@ SURFMINK_DEF size_t surfmink_batch(const surfmink_outline *all, const size_t *of
     surfmink__measure_window *measure = NULL;
     surfmink__job job;
     size_t size, refused = 0;
+#ifdef _OPENMP
+    const int parallel = all->n > surfmink__parallel && surfmink__rises(offset, count);
+#endif
     ptrdiff_t windows, k;
     job.all = all;
     job.offset = offset;
@@ -3971,7 +3980,7 @@ SURFMINK_DEF size_t surfmink_batch(const surfmink_outline *all, const size_t *of
     size = surfmink__window_size(&job, count);
     windows = (ptrdiff_t)(count / size + (count % size > 0));
 #ifdef _OPENMP
-#pragma omp parallel for schedule(guided) reduction(+ : refused) if (all->n > surfmink__parallel && surfmink__rises(offset, count))
+#pragma omp parallel for schedule(guided) reduction(+ : refused) if (parallel)
 #endif
     for (k = 0; k < windows; ++k) {
         const size_t first = (size_t)k * size;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# demo.sh SURFMINK DIRECTORY: three real inputs and an image, measured by the command; what to look for is printed beside
-# the numbers. The pictures go to DIRECTORY; outlines, patic and image/rasterise stand beside SURFMINK.
+# demo.sh SURFMINK DIRECTORY: three real inputs and an image, measured by the command; what to look for is printed
+# beside the numbers. The pictures go to DIRECTORY; outlines, patic and image/rasterise stand beside SURFMINK.
 surfmink=$1 build=$(dirname "$1") pictures=$2 data=$(dirname "$0")/data
 mkdir -p "$pictures" || exit 1
 table=$(mktemp) flat=$(mktemp) image=$(mktemp -d)
@@ -70,7 +70,9 @@ recipe() {
     awk -v name="$1" "$columns"'
         FNR == 1 { ++file; next }
         file == 1 { for (p = 2; p <= 6; p += 2) mu[$1, p] = $at["mu_" p]; next }
-        $at["status"] == "ok" { n++; for (p = 2; p <= 6; p += 2) { d = $at["mu_" p] - mu[$1, p]; s[p] += d * d; b[p] += d } }
+        $at["status"] == "ok" {
+            n++
+            for (p = 2; p <= 6; p += 2) { d = $at["mu_" p] - mu[$1, p]; s[p] += d * d; b[p] += d } }
         END { printf "   %-34s %5d %9.3f %9.3f %9.3f %+9.3f\n", name, n, sqrt(s[2] / n), sqrt(s[4] / n), sqrt(s[6] / n),
                      b[6] / n }' "$table" "$flat"
 }
@@ -83,14 +85,16 @@ echo "5. The field of a tissue: do its topological charges add up to 2, as on ev
 "$build/patic" --rank 6 --defects "$flat" --svg "$pictures/field_h3.svg" --title "H3 grid, p = 6" --view 10,50 \
     "$data/h3_res2.tsv" > "$table" || exit 1
 awk "$columns"'
-    FNR > 1 { sum += $at["charge"]; charge[$at["charge"]]++; split($at["cells"], cell, ","); names = names "\n     " cell[1] }
+    FNR > 1 { sum += $at["charge"]; charge[$at["charge"]]++
+              split($at["cells"], cell, ","); names = names "\n     " cell[1] }
     END { for (c in charge) printf "   H3, p = 6: %d defects of charge %.4f", charge[c], c
           printf ", sum %.12g, at the cells:%s\n", sum, names }' "$flat"
 for p in 2 4 6; do
     "$build/patic" --rank $p --radius 1.5c --defects "$flat" --svg "$pictures/field_tissue$p.svg" \
         --title "Tissue, p = $p, R = 1.5 cells" "$data/tissue.tsv" > "$table" || exit 1
     awk "$columns"' FNR > 1 { sum += $at["charge"]; if ($at["charge"] > 0) plus++; else minus++ }
-        END { printf "   tissue, p = %d: %d positive and %d negative defects, sum %.12g\n", '$p', plus, minus, sum }' "$flat"
+        END { printf "   tissue, p = %d: %d positive and %d negative defects, sum %.12g\n", '$p', plus, minus, sum
+        }' "$flat"
 done
 echo
 echo "pictures: $pictures/h3.svg h3_mu.svg countries.svg tissue.svg tissue_ranks.svg tissue_mu.svg tissue_scatter.svg"

@@ -9,8 +9,8 @@
    manual    ./outlines --help
 
    It only reads arguments, calls the headers in image/, and prints: read.h file -> pixels, regions.h pixels -> regions,
-   trace.h regions -> boundaries, fit.h boundaries -> points, chart.h points -> space, outline.h all of these -> outlines,
-   write.h outlines -> text, paint.h numbers -> pixels. */
+   trace.h regions -> boundaries, fit.h boundaries -> points, chart.h points -> space, outline.h all of these ->
+   outlines, write.h outlines -> text, paint.h numbers -> pixels. */
 
 #include "image/paint.h"
 #include "image/read.h"

@@ -1,5 +1,6 @@
-/* patic_reference.h - the definitions of docs/field.md once more, as they are written there: slowly, in long double, with
-   rotation matrices and lists of vertices instead of mirrors and half-edges. For tests/test_patic.c; after tissues.h. */
+/* patic_reference.h - the definitions of docs/field.md once more, as they are written there: slowly, in long double,
+   with rotation matrices and lists of vertices instead of mirrors and half-edges. For tests/test_patic.c; after
+   tissues.h. */
 #ifndef PATIC_REFERENCE_H
 #define PATIC_REFERENCE_H
 
@@ -233,8 +234,8 @@ static inline real ref_charge(const reference *r, int p, const size_t *fan, size
     return (sum + p * area) / two_pi;
 }
 
-/* The next step of a boundary walk that has come to cell c across its edge `at`: along the outline of c to the next edge
-   with a cell behind it. *at becomes that edge of c, and *to the cell. */
+/* The next step of a boundary walk that has come to cell c across its edge `at`: along the outline of c to the next
+   edge with a cell behind it. *at becomes that edge of c, and *to the cell. */
 static inline void ref_onward(const reference *r, size_t c, size_t *at, size_t *to)
 {
     size_t n = r->cell[c].n, back;

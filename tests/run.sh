@@ -1,6 +1,7 @@
 #!/bin/sh
 # run.sh TOTAL COMMAND...: runs commands, which end with a line "N passed, N failed", several at a time; adds them up.
-# A command without that line, or that passed nothing, counts as one failure. The sum is the last line, and all that the file TOTAL holds.
+# A command without that line, or that passed nothing, counts as one failure. The sum is the last line, and all that
+# the file TOTAL holds.
 . "$(dirname "$0")/pool.sh"
 total=$1
 shift

@@ -573,7 +573,8 @@ END
 cp rings.tsv in
 run
 refused "a ring that closes and goes on" several_rings 6 \
-    "-:6: A: the first corner comes again here, and the outline goes on: a hole, or another part, under the same id; --p"
+    "-:6: A: the first corner comes again here, and the outline goes on: a hole, or another part, under the same id; \
+--p"
 run --parts
 measured "--parts: each ring is an outline, holes are marked" id "A/0 A/1/hole A/2 B"
 check "--parts: corners" "$(column n) $(column area)" "4 4 3 3 36 4 2 0.5"
@@ -1455,8 +1456,8 @@ check "estimates of a mesh" "$(field 1 error_4)" 1
 
 # --- noise ------------------------------------------------------------------------------------------------------------
 
-# draws SURFACE COUNT DEVIATION EDGE: a cell, and so many copies of it whose corners have been moved along the surface by
-# chance. Of seven corners two are EDGE apart, in parts of their way to the next. The sphere has radius 10.
+# draws SURFACE COUNT DEVIATION EDGE: a cell, and so many copies of it whose corners have been moved along the surface
+# by chance. Of seven corners two are EDGE apart, in parts of their way to the next. The sphere has radius 10.
 draws() {
     awk -v surface="$1" -v draws="$2" -v s="$3" -v short="$4" '
         function chance() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }

@@ -41,7 +41,8 @@ THEOREM(crossings_with_turning_number_one_are_found)
 
 THEOREM(what_touches_or_lies_on_itself_does_not_cross)
 {
-    /* a needle, a square with a whisker, two squares that touch in a corner, an hourglass, a corner that touches a side, a keyhole */
+    /* a needle, a square with a whisker, two squares that touch in a corner, an hourglass, a corner that touches a
+       side, a keyhole */
     static const double needle[] = {3, 3, 4, 3, 5, 3, 6, 3, 5, 3, 4, 3};
     static const double whisker[] = {0, 0, 4, 0, 4, 4, 2, 4, 2, 3, 2, 4, 0, 4};
     static const double two[] = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, -1, 0, -1, -1, 0, -1};
@@ -71,7 +72,8 @@ THEOREM(orientation_is_exact)
     chance dice = {12345};
     long i;
     for (i = 0; i < 200000 / FEWER; ++i) {
-        /* a, b, c = base + k unit on a line, c moved by d units: the sign of the determinant is that of d times the way */
+        /* a, b, c = base + k unit on a line, c moved by d units: the sign of the determinant is that of d times the
+           way */
         double unit = ldexp(1, -50), base = 0.5, k = 1 + floor(1000 * between(&dice, 0, 1)),
                m = 1 + floor(1000 * between(&dice, 0, 1));
         double d = floor(3 * between(&dice, 0, 1)) - 1, a[2], b[2], c[2], got;

@@ -112,7 +112,8 @@ verdict "the quick start of surfmink.h" $?
 sed 's,"../surfmink.h","surfmink.h",' examples/octant.c > "$work/want"
 awk '/^```c$/ { on = 1; next } /^```/ && on { exit } on' README.md > "$work/got"
 verdict "examples/octant.c is the program in README.md" $?
-awk '/^```c$/ { after = 1 } /^```$/ && on { exit } on { print } /^```text$/ && after { on = 1 }' README.md > "$work/want"
+awk '/^```c$/ { after = 1 } /^```$/ && on { exit }
+    on { print } /^```text$/ && after { on = 1 }' README.md > "$work/want"
 $cc -std=c99 examples/octant.c -o "$work/octant" -lm > "$work/got" 2>&1 && "$work/octant" > "$work/got" 2>&1
 verdict "examples/octant.c" $?
 

@@ -1511,7 +1511,8 @@ THEOREM(sigma_is_the_norm_of_the_gradient)
         }
 }
 
-/* Noise of twice the size, small against all edges, has four times the bias; in another unit, a power of two, the same bits. */
+/* Noise of twice the size, small against all edges, has four times the bias; in another unit, a power of two, the
+   same bits. */
 THEOREM(noise_scales_as_it_should)
 {
     static outline o, scaled;

@@ -137,7 +137,8 @@ static double area_of(const grey_loops *g)
     return area;
 }
 
-/* Noise has every case: both sides of a level have the same curves the other way round; turned images have turned ones. */
+/* Noise has every case: both sides of a level have the same curves the other way round; turned images have turned
+   ones. */
 THEOREM(both_sides_of_a_level_have_the_same_curves)
 {
     enum { WIDTH = 31, HEIGHT = 24 };

@@ -1,6 +1,6 @@
-/* The command outlines, from the inside: readers, boundaries, fitted points, charts. How exactly it draws is measured on
-   tissues whose cells are known; `test_outlines --table` prints what docs/images.md shows, with another number behind it the same of
-   another tissue. */
+/* The command outlines, from the inside: readers, boundaries, fitted points, charts. How exactly it draws is measured
+   on tissues whose cells are known; `test_outlines --table` prints what docs/images.md shows, with another number
+   behind it the same of another tissue. */
 #ifndef SURFMINK_IMPLEMENTED
 #define SURFMINK_IMPLEMENTATION
 #endif
@@ -488,8 +488,8 @@ THEOREM(discs_are_round_and_ellipses_what_they_are)
     }
 }
 
-/* A closed chain, done again from the staircase: K = n / 16 passes, from 8 to 64 but n / 4 at most; then as many of what
-   they have taken away. */
+/* A closed chain, done again from the staircase: K = n / 16 passes, from 8 to 64 but n / 4 at most; then as many of
+   what they have taken away. */
 THEOREM(a_closed_curve_is_smoothed_and_given_back)
 {
     enum { WIDE = 160 };

@@ -1,7 +1,7 @@
 #!/bin/sh
-# test_outlines.sh BUILD: holds the command `outlines` in BUILD to what its --help promises, pipes it into `surfmink` and
-# paints the numbers back; and holds the tables of docs/images.md to what BUILD/test_outlines measures. Needs only a POSIX
-# shell. Run it from the root of the repository.
+# test_outlines.sh BUILD: holds the command `outlines` in BUILD to what its --help promises, pipes it into `surfmink`
+# and paints the numbers back; and holds the tables of docs/images.md to what BUILD/test_outlines measures. Needs only
+# a POSIX shell. Run it from the root of the repository.
 . "$(dirname "$0")/harness.sh"
 build=$(absolute "$1")
 outlines=$build/outlines surfmink=$build/surfmink rasterise=$build/image/rasterise
@@ -84,7 +84,8 @@ check "junctions" "$status $(awk '$1 == 1' out | wc -l | tr -d ' ')" "0 3"
 run four.pgm --background 2
 check "another background" "$(cells out)" "1 3 4 "
 
-printf 'P2 9 5 9 0 0 0 0 0 0 0 0 0  1 2 2 0 3 3 3 0 0  0 2 2 0 3 0 3 0 4  0 0 0 0 3 3 3 0 0  0 0 5 0 5 0 0 0 0\n' > bad.pgm
+printf 'P2 9 5 9 0 0 0 0 0 0 0 0 0  1 2 2 0 3 3 3 0 0  0 2 2 0 3 0 3 0 4\n0 0 0 0 3 3 3 0 0  0 0 5 0 5 0 0 0 0\n' \
+    > bad.pgm
 run bad.pgm --report report.tsv
 check "cells that are left out: status 2" $status 2
 check "and why" "$(cat err)" "bad.pgm: left out, cut by the border of the image: 3 (1 4 5)
@@ -117,7 +118,8 @@ check "the mesh: as many faces as cells" "$(sed '1,37d' mesh.off | wc -l | tr -d
 check "the mesh: every vertex is used" \
     "$(sed '1,37d' mesh.off | cut -d ' ' -f 2- | tr ' ' '\n' | sort -u | wc -l | tr -d ' ')" 35
 awk '!/^#/ && NR > 2 { print $3, $4 }' out | sort -u | wc -l | tr -d ' ' > points
-check "the mesh: the points of the table" "$(sed '1,2d' mesh.off | awk 'NF == 3 { print $1, $2 }' | wc -l | tr -d ' ')" \
+check "the mesh: the points of the table" \
+    "$(sed '1,2d' mesh.off | awk 'NF == 3 { print $1, $2 }' | wc -l | tr -d ' ')" \
     "$(cat points)"
 
 # --- on a chart -------------------------------------------------------------------------------------------------------

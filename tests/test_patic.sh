@@ -186,10 +186,11 @@ run --rank 4 bad.tsv
 check "some are refused" $status 2
 check "their statuses" "$(cut -f 1,16 out | tr '\t\n' '= ')" \
     "id=status a=ok b=ok c=ok d=ok e=overlaps f=clockwise g=not_finite h=ok i=meets_itself "
-check "refused cells have no numbers" "$(awk -F '\t' '$16 != "ok" && NR > 1 { $1 = $2 = $16 = ""; print }' out | tr -d ' \n')" ""
+check "refused cells have no numbers" \
+    "$(awk -F '\t' '$16 != "ok" && NR > 1 { $1 = $2 = $16 = ""; print }' out | tr -d ' \n')" ""
 check "who overlaps whom" "$(sed -n 1p err)" \
-    "bad.tsv:18: cell e: overlaps: an edge of it belongs to another cell already, to cell b; drop one of the two, or turn \
-the one round that runs clockwise"
+    "bad.tsv:18: cell e: overlaps: an edge of it belongs to another cell already, to cell b; drop one of the two, or \
+turn the one round that runs clockwise"
 check "the file, the line, the cell, the reason" "$(sed -n 2p err | cut -c 1-30)" "bad.tsv:22: cell f: clockwise:"
 check "an outline that meets itself" "$(sed -n 4p err | cut -d : -f 1-4)" "bad.tsv:33: cell i: meets_itself"
 run --rank 4 --quiet bad.tsv
@@ -202,7 +203,8 @@ check "too few corners" "$(cut -f 16 out | tr '\n' ' ')" "status too_few_corners
 
 # --- warnings ---------------------------------------------------------------------------------------------------------
 
-awk 'BEGIN { OFS = "\t" } NR > 1 { $2 *= 1 + 0.01 * (($1 == "b") - ($1 == "d")); $3 *= 1 + 0.01 * ($1 == "c" || $1 == "d") }
+awk 'BEGIN { OFS = "\t" } NR > 1 { $2 *= 1 + 0.01 * (($1 == "b") - ($1 == "d"))
+    $3 *= 1 + 0.01 * ($1 == "c" || $1 == "d") }
     { print }' squares.tsv > loose.tsv
 run --rank 4 loose.tsv
 check "cells that touch nowhere are measured" $status 0
@@ -228,7 +230,8 @@ awk 'BEGIN {
     } }' > coarse.tsv
 run --rank 6 --radius 0,1c --summary coarse.tsv
 check "an octahedron" "$(said chi | tr '\n' ' ')" "2 2 "
-check "has too few cells" "$(grep WARNING err)" "patic: WARNING: the component of cell 11 (8 cells) is too coarse for its \
+check "has too few cells" "$(grep WARNING err)" \
+    "patic: WARNING: the component of cell 11 (8 cells) is too coarse for its \
 curvature: its charges sum to 0, its Euler characteristic is 2"
 
 # --- wrong calls ------------------------------------------------------------------------------------------------------

@@ -52,7 +52,8 @@ named ' ' | awk 'NF == 3 && $1 != "cell" { print $2, $3; next } NR == 4 { print 
 named , | sed 's/^\([a-z]*\),/"\1,, ""x""",/; s/^"cell,, ""x"""/"the, ""cell"""/' > quoted.csv
 named "$tab" | awk -F "$tab" -v OFS="$tab" '/^cell/ { print "X", "k", "Y", "K"; next }
     NF == 3 && !/^#/ { print $2, 7, $3, $1; next } { print }' > capitals
-named ' ' | awk '/^cell/ { print $0 "\t"; next } NF == 3 && !/^#/ { print $1 "\v" $2 " \f" $3 "\v"; next } { print }' > feeds
+named ' ' | awk '/^cell/ { print $0 "\t"; next } 
+    NF == 3 && !/^#/ { print $1 "\v" $2 " \f" $3 "\v"; next } { print }' > feeds
 named "$tab" | awk -F "$tab" -v OFS="$tab" '/^cell/ { print "", "x", "y", "cell", "row"; next }
     NF == 3 && !/^#/ { print NR, $2, $3, "  " $1 " ", NR; next } { print }' > numbered
 tables="tabs windows commas.csv blanks last unnamed torn one no_number too_many too_few no_id quoted.csv"
@@ -69,7 +70,8 @@ single() {
 # refusals FILE: without the notes about what a run sees of its table, of which a part sees less, and without the ids of
 # outlines that have none but their number, which in a part counts from 0.
 refusals() {
-    sed 's/^\(unnamed:[0-9]*: \)[0-9]*: /\1/' "$1" | grep -v -e ': id: ' -e ' comes again: only lines' -e "^[^:]*:[0-9]*: column '.*' changes within" > plain.err
+    sed 's/^\(unnamed:[0-9]*: \)[0-9]*: /\1/' "$1" | grep -v -e ': id: ' -e ' comes again: only lines' \
+        -e "^[^:]*:[0-9]*: column '.*' changes within" > plain.err
     mv plain.err "$1"
 }
 

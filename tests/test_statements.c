@@ -643,7 +643,8 @@ THEOREM(points_off_by_h2_change_cosines_of_unit_vectors_only_so_much)
     CHECK_NEAR(log(ratio[3] / ratio[0]) / log(tilts[0] / tilts[3]), 1, 0.1);
 }
 
-/* --- paper 5.2: the column f of Table 1 ---------------------------------------------------------------------------- */
+/* --- paper 5.2: the column f of Table 1
+   ---------------------------------------------------------------------------- */
 
 /* With the index of section 4, as the table has it, f_i misses the turn at corner i: the printed 1.2, .34, .088 are the
    largest |f - f_i| at corners. Over all of each edge, as Corollary 4.5 has it, they are larger. */

@@ -1,7 +1,7 @@
 /* tissues.h - tissues for tests/test_patic.c: the dual cells of triangle meshes of many shapes. After surfmink.h.
 
-   A vertex of the mesh that has triangles all round becomes a cell; a triangle becomes a corner, somewhere in it. So the
-   topology of the tissue is that of the mesh, and corners are shared to the bit. */
+   A vertex of the mesh that has triangles all round becomes a cell; a triangle becomes a corner, somewhere in it. So
+   the topology of the tissue is that of the mesh, and corners are shared to the bit. */
 #ifndef TISSUES_H
 #define TISSUES_H
 
@@ -305,7 +305,8 @@ static inline surfmink_outline tissue_outline(const tissue *s)
     return surfmink_embedded(s->corner, s->normal, s->corners);
 }
 
-/* The cells that are to be kept, in the order of `order`, which may name a cell twice; each from its corner `start` on. */
+/* The cells that are to be kept, in the order of `order`, which may name a cell twice; each from its corner `start`
+   on. */
 static inline tissue pick_cells(const tissue *s, const size_t *order, const size_t *start, size_t cells)
 {
     tissue r = {SURFMINK_PLANE, 0, 0, NULL, NULL, NULL, NULL};

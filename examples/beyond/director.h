@@ -114,7 +114,8 @@ static inline int surfmink_director__tilted(const surfmink_outline *o, size_t i,
    o                  plane, sphere or embedded: a surface by callbacks has no space to tilt in
    length, phase n    from steps 1 and 2; the phases of the transport that g was made with
    g         2 P + 2  only its arguments count
-   lag         n      out: chi_i - f_i, below; may be the same array as phase, which is then lost. Written on failure, too
+   lag         n      out: chi_i - f_i, below; may be the same array as phase, which is then lost. Written on failure,
+   too
    middle             out; untouched on failure, and so are its arrays
    Where mu_p or the coherence is no more than rounding noise (1e-14) the directions are noise too.
    Errors: as surfmink_irreducible and surfmink_frame; ZERO_NORMAL: the mean of the normals is shorter than 1e-6, or one

@@ -730,9 +730,9 @@ static inline size_t surfmink_noise_room(size_t n, int max_rank)
    Errors: as surfmink_gradient; BAD_ARGUMENT (a negative deviation). Cost: O(n P), for P = 6 four to eleven times
    measuring. Against 3000 draws a cell: sigma is 0.97 to 1.09 of theirs for deviations of 0.02 of the mean edge, 0.83
    to 1.36 for 0.1 (p = 2 .. 6): p deviations should be below a quarter of the mean edge. Beside an edge shorter than
-   that sigma is 0.9 to 1.6 of that of the draws that do not cross themselves, three of four or more. Normals are taken as free of noise.
-   If they follow the corners, as on a known surface, sigma is up to 5 % too large for p >= 2; it is twice too large or
-   more for p = 1, where curvature is all that matters. */
+   that sigma is 0.9 to 1.6 of that of the draws that do not cross themselves, three of four or more. Normals are
+   taken as free of noise. If they follow the corners, as on a known surface, sigma is up to 5 % too large for p >= 2;
+   it is twice too large or more for p = 1, where curvature is all that matters. */
 static inline int surfmink_noise(const surfmink_outline *outline, int max_rank, double deviation,
                                  const surfmink_uncertainty *out, double *scratch)
 {

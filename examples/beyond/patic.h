@@ -28,10 +28,13 @@
    CONVENTIONS
      cell         frame (axis, across, normal), right-handed. The axis is the co-normal of edge 0, tilted to the
                   centre. Charges, order and G do not depend on it.
-     z            mu_p exp(i p psi), psi the angle of the direction against the axis; z[2 c], z[2 c + 1]. 0: no direction
-     half-edge    numbered as the corner at which it begins: from there to the next corner of the cell, counter-clockwise
+     z            mu_p exp(i p psi), psi the angle of the direction against the axis; z[2 c], z[2 c + 1]. 0: no
+     direction
+     half-edge    numbered as the corner at which it begins: from there to the next corner of the cell, counter-
+     clockwise
      twin         the half-edge of the neighbour that runs the other way between the same two vertices
-     loop         cells c_1 c_2 ... each reached from the one before across a half-edge, with the vertex or the outside on
+     loop         cells c_1 c_2 ... each reached from the one before across a half-edge, with the vertex or the
+     outside on
                   the right. If the vertex has cells all round, the loop is a dual face, and closed. Else it is a walk
                   along the boundary of the tissue.
      charge       of a loop: k / p, with k a whole number
@@ -376,7 +379,8 @@ static inline int patic__search_box(patic *t, size_t corner, const double x[3], 
     return same;
 }
 
-/* Boxes of side `side` hold the corners so far; those within the tolerance lie in up to eight of them, mostly in one. */
+/* Boxes of side `side` hold the corners so far; those within the tolerance lie in up to eight of them, mostly in
+   one. */
 static inline void patic__weld_corner(patic *t, size_t corner, double side)
 {
     double x[3], box[3][2];
@@ -420,7 +424,8 @@ static inline size_t patic__after(const patic *t, size_t h)
     return h + 1 < t->offset[c + 1] ? h + 1 : t->offset[c];
 }
 
-/* The vertex where a half-edge ends. An edge shorter than the tolerance ends where it begins, and counts for nothing. */
+/* The vertex where a half-edge ends. An edge shorter than the tolerance ends where it begins, and counts for
+   nothing. */
 static inline size_t patic__end(const patic *t, size_t h)
 {
     return t->vertex[patic__after(t, h)];
@@ -626,12 +631,14 @@ static inline void patic__find_loops(patic *t)
 }
 
 /* Measures all cells and finds their topology.
-   all                plane, sphere or embedded: the corners of all outlines, one outline after the other (n is not used)
+   all                plane, sphere or embedded: the corners of all outlines, one outline after the other (n is not
+   used)
    offset    cells+1  outline c has the corners offset[c] .. offset[c + 1] - 1
    max_rank           the largest p that will be asked for
    weld               corners nearer than this are one; negative: 1e-6 of the mean edge; 0: only the very same points
    memory             patic_bytes(offset, cells, max_rank) bytes; it has to live as long as *t
-   returns            SURFMINK_OK, or BAD_ARGUMENT: offsets fall, weld is NaN or infinite, a surface by callbacks. What is
+   returns            SURFMINK_OK, or BAD_ARGUMENT: offsets fall, weld is NaN or infinite, a surface by callbacks.
+   What is
                       wrong with single cells is in t->cell[c].status
    Cost: O(corners) time, but for tolerances so large that many corners lie within them. */
 static inline int patic_build(patic *t, const surfmink_outline *all, const size_t *offset, size_t cells, int max_rank,
@@ -722,8 +729,9 @@ static inline int patic_direction(const patic *t, int p, const double *z, size_t
 /* A distance that equals a radius or the end of a bin up to rounding, as in a regular lattice, lies on this side. */
 static const double patic__rounding = 1e-9;
 
-/* Z_i: the mean of z, carried to i by one smallest rotation each, over the cells that are reached from i over neighbours
-   without going farther than `radius` or to where normals are 90 degrees or more from that of i; weighted by length.
+/* Z_i: the mean of z, carried to i by one smallest rotation each, over the cells that are reached from i over
+   neighbours without going farther than `radius` or to where normals are 90 degrees or more from that of i; weighted
+   by length.
    radius             >= 0; 0 gives z again
    z, coarse 2 cells  in, out; not the same array
    Errors: BAD_ARGUMENT. Cost: O(cells x cells in a ball). */
@@ -1075,8 +1083,8 @@ typedef struct patic_bin {
     double sum, weight; /* of Re(conj z_i T z_j), of |z_i| |z_j|: G is their ratio, and 0 where weight is 0 */
 } patic_bin;
 
-/* G in bins of a width, over the pairs of cells whose normals are less than 90 degrees apart, wherever they are; T is the
-   smallest rotation from j to i. Bin b holds distances from b width on, up to (b + 1) width.
+/* G in bins of a width, over the pairs of cells whose normals are less than 90 degrees apart, wherever they are; T is
+   the smallest rotation from j to i. Bin b holds distances from b width on, up to (b + 1) width.
    width              > 0, as t->spacing
    bin       bins     out
    returns            the number of bins that all pairs would need: those farther apart are left out. With bins = 0

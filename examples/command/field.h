@@ -1,9 +1,9 @@
 /* field.h - the picture of a p-atic field: cells filled by hue or by order, rays along the directions, defects.
 
-   A direction needs something to be measured from. Here it is what points to the right on the page, carried from the eye
-   to the cell by the smallest rotation, so a hue says how the rays lie on the page. Hues go once round for 1/p of a turn.
-   Defects are told apart without colour: a black disc with a plus, a white one with a minus; a charge of k/p has k - 1
-   rings more, and where there are few it is printed. */
+   A direction needs something to be measured from. Here it is what points to the right on the page, carried from the
+   eye to the cell by the smallest rotation, so a hue says how the rays lie on the page. Hues go once round for 1/p of
+   a turn. Defects are told apart without colour: a black disc with a plus, a white one with a minus; a charge of k/p
+   has k - 1 rings more, and where there are few it is printed. */
 #ifndef SURFMINK_COMMAND_FIELD_H
 #define SURFMINK_COMMAND_FIELD_H
 
@@ -135,7 +135,8 @@ static void put_place(FILE *out, const double page[2])
     }
 }
 
-/* A colour of equal lightness for every angle, mixed with white where the order is low; or a grey-safe scale of order. */
+/* A colour of equal lightness for every angle, mixed with white where the order is low; or a grey-safe scale of
+   order. */
 static void put_fill(FILE *out, double angle, double order, int by_order)
 {
     static const double third = 2.0943951023931953;

@@ -1,8 +1,9 @@
 /* chart.h - maps of positions and normals -> points in space.
 
-   A chart is a flat image of a curved surface: a map of positions tells where in space each pixel lies, a map of normals
-   which way is out there. Between pixels both are bilinear. Where nothing is known a map has NaN. Without a map of
-   normals they are made from the positions, and point to the side from which the chart is seen as it is drawn. */
+   A chart is a flat image of a curved surface: a map of positions tells where in space each pixel lies, a map of
+   normals which way is out there. Between pixels both are bilinear. Where nothing is known a map has NaN. Without
+   a map of normals they are made from the positions, and point to the side from which the chart is seen as it is
+   drawn. */
 #ifndef SURFMINK_IMAGE_CHART_H
 #define SURFMINK_IMAGE_CHART_H
 

@@ -1,8 +1,8 @@
 /* fit.h - the graph of cracks -> points of outlines, as near to the true boundary as the pixels tell.
 
-   A junction of pixels lies on a corner of the grid, up to 0.7 pixels off. It is FITTED to the lines on which the chains
-   leave it: each is a straight line through the middles of its first eight cracks, known to 1 / k at their centroid and
-   worse outside, and the corner itself counts a little, so that short chains cannot pull it far away.
+   A junction of pixels lies on a corner of the grid, up to 0.7 pixels off. It is FITTED to the lines on which the
+   chains leave it: each is a straight line through the middles of its first eight cracks, known to 1 / k at their
+   centroid and worse outside, and the corner itself counts a little, so that short chains cannot pull it far away.
 
    A chain of crack middles is a staircase. It is smoothed by many passes of the mean of three points, which would also
    flatten what is curved; so what smoothing has taken away is smoothed in turn, and given back (TWICING, J. W. Tukey).
@@ -119,8 +119,8 @@ static inline int fit__leaving(const trace *t, const junction *j, uint32_t half,
     return fit__main_axis(point, count, line);
 }
 
-/* The point that is nearest to all lines, seen from the corner: the sum of (distance / its error)^2 is least. How well a
-   line is known depends on where on it one looks, so this is repeated. */
+/* The point that is nearest to all lines, seen from the corner: the sum of (distance / its error)^2 is least. How
+   well a line is known depends on where on it one looks, so this is repeated. */
 static inline void fit__meet(const fit__line *line, size_t lines, double meeting[2])
 {
     enum { ROUNDS = 3 };

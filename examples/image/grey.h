@@ -31,8 +31,8 @@ typedef struct grey__field {
         *passed; /* each pixel: 1 if the side to the pixel on its right has been passed, 2 that to the one below */
 } grey__field;
 
-/* Where a curve is: about to enter a square across a side, with the inside on its left. (row, column) is the pixel at the
-   left end of the side, and the way is as in trace.h: 0 right, 1 up, 2 left, 3 down. */
+/* Where a curve is: about to enter a square across a side, with the inside on its left. (row, column) is the pixel at
+   the left end of the side, and the way is as in trace.h: 0 right, 1 up, 2 left, 3 down. */
 typedef struct grey__place {
     int64_t row, column;
     int way;

@@ -136,7 +136,8 @@ static inline int image_load(image *im, const char *name, int (*enough)(const un
 
 /* --- pixels ------------------------------------------------------------------------------------------------------- */
 
-/* Whether so many samples can be there, and be counted: halves of chains (trace.h), four a pixel at most, have 32-bit numbers. */
+/* Whether so many samples can be there, and be counted: halves of chains (trace.h), four a pixel at most, have 32-bit
+   numbers. */
 static inline int image_check_size(const image *im, image_error *error)
 {
     size_t most = ((size_t)1 << 30) - 1, pixels;

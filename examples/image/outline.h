@@ -130,8 +130,8 @@ static inline int outlines__keep_normal(outlines *o, const double normal[3], siz
 }
 
 /* At every corner of pixels along the outline all four have a place, the chart shows the same side throughout, and no
-   normal is more than 90 degrees off their sum. Maps are often smeared some pixels beyond their rim, where positions are
-   known but wrong: this is how such cells are found. */
+   normal is more than 90 degrees off their sum. Maps are often smeared some pixels beyond their rim, where positions
+   are known but wrong: this is how such cells are found. */
 static inline int outlines__check_chart(outlines *o, size_t region, image_error *error)
 {
     const trace *t = o->graph;

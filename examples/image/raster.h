@@ -1,11 +1,13 @@
 /* raster.h - tissues whose cells are known exactly -> label images and charts, to measure how well outlines are found.
 
    PLANE    seeds scattered over a square, one for each unit of area, and evened out. A cell is what is nearer to its
-            seed than to any other (Voronoi): a polygon. Bent by two shears, whose inverse is known, its sides are curves.
+            seed than to any other (Voronoi): a polygon. Bent by two shears, whose inverse is known, its sides are
+            curves.
    SURFACE  the same on the unit sphere, where the sides are great circles; stretched, an ellipsoid.
    CHART    Mercator's, all round the equator, whose right side goes on at the left; or stereographic, a disc.
 
-   The same seed gives the same tissue everywhere, but for the last bits of sin and cos. C99 and C++, only libc, libm. */
+   The same seed gives the same tissue everywhere, but for the last bits of sin and cos. C99 and C++, only libc,
+   libm. */
 #ifndef SURFMINK_IMAGE_RASTER_H
 #define SURFMINK_IMAGE_RASTER_H
 

@@ -206,8 +206,8 @@ static inline int regions_read(regions *r, const image *im, double background, i
 
 /* --- lines -------------------------------------------------------------------------------------------------------- */
 
-/* A pixel of a line is at most this far from a cell on each side. The two distances make one more than the line is wide:
-   lines of three pixels are shared out whole whatever their slope, those of four only along rows and columns. */
+/* A pixel of a line is at most this far from a cell on each side. The two distances make one more than the line is
+   wide: lines of three pixels are shared out whole whatever their slope, those of four only along rows and columns. */
 enum { LINES_FAR = 4, LINES_WIDE = 5, LINES_NEAR = 48 }; /* pixels within LINES_FAR */
 
 /* The pixels around one, nearest first. */

@@ -1,5 +1,5 @@
-/* tiff.h - TIFF without compression: strips, both byte orders, integers of 8 to 64 bits, floats of 32 and 64; colours as
-   samples, planes or pages.
+/* tiff.h - TIFF without compression: strips, both byte orders, integers of 8 to 64 bits, floats of 32 and 64; colours
+   as samples, planes or pages.
 
    A header points to the directory of the first page, each directory to the next; a directory lists tags, and two of
    these say where in the file the strips of rows are. */

@@ -7,8 +7,8 @@
 
    Where four pixels meet of which two that touch by their corners are alike, these two are joined; if so are the other
    two, those of the larger region number. So the result does not depend on how the image is turned or mirrored.
-   Coordinates are those of the picture: pixel (row, column) has its centre at x = column, y = -row. Every region has its
-   outer boundary counter-clockwise. */
+   Coordinates are those of the picture: pixel (row, column) has its centre at x = column, y = -row. Every region has
+   its outer boundary counter-clockwise. */
 #ifndef SURFMINK_IMAGE_TRACE_H
 #define SURFMINK_IMAGE_TRACE_H
 

@@ -10,8 +10,8 @@
    Units are SVG's: about 1/96 inch, y downwards. Nothing is kept: every call writes its element and forgets it, so what
    is drawn later lies on top. The first failure to write is remembered and comes back from plot_end.
 
-   Colours of lines are those of Okabe and Ito, which colour-blind readers can tell apart; lines also differ by marker and
-   dash. The ramp is that of the command.
+   Colours of lines are those of Okabe and Ito, which colour-blind readers can tell apart; lines also differ by marker
+   and dash. The ramp is that of the command.
    Text has a little markup: $h$ is italic, _x or _{xy} below, ^x or ^{xy} above, and \mu \nu \pi ... are Greek.      */
 #ifndef PLOT_H
 #define PLOT_H

@@ -1,5 +1,5 @@
-/* svg.h - Scalable Vector Graphics: what all pictures of examples/ share. Colours, numbers, and the beginnings of elements,
-   which the caller ends.
+/* svg.h - Scalable Vector Graphics: what all pictures of examples/ share. Colours, numbers, and the beginnings of
+   elements, which the caller ends.
 
    Every number is printed with at most two decimals of a pixel, whatever the locale, so the same input gives the same
    bytes. y goes downwards. */

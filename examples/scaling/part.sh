@@ -79,8 +79,8 @@ names=$1 head=$2 separator=$3 id=$4
 size=$(($(wc -c < "$table")))
 [ "$size" -ge "$head" ] || head=$size # a line of names without an end
 
-# cut PART: the byte at which this part begins. A line counts if it begins at PART / PARTS of the bytes or later: reading
-# starts one byte early, and what is up to the first end of a line does not count.
+# cut PART: the byte at which this part begins. A line counts if it begins at PART / PARTS of the bytes or later:
+# reading starts one byte early, and what is up to the first end of a line does not count.
 cut() {
     at=$((head + (size - head) * $1 / parts))
     if [ "$1" -eq 0 ] || [ "$1" -eq "$parts" ]; then

@@ -21,7 +21,8 @@
 
    MEMORY AND COST
      Arrays come from malloc; mesh_file_free gives them back. When a call fails there is nothing to free from it.
-     Reading takes linear time, orienting takes n log n. No globals; strtod heeds the locale, so leave LC_NUMERIC at "C". */
+     Reading takes linear time, orienting takes n log n. No globals; strtod heeds the locale, so leave LC_NUMERIC at
+     "C". */
 #ifndef SURFMINK_MESHFILE_H
 #define SURFMINK_MESHFILE_H
 

@@ -2,10 +2,10 @@
 
      cc field.c -o field -lm && ./field DIRECTORY               (from the root: make pictures)
 
-   A flat tissue without any order of its own: the Voronoi cells of points by chance, evened out once. Its raw field has a
-   defect every few cells. At even p the mean over a ball is that of many independent cells, and order falls as 1/R. At
-   odd p the two sides of a shared edge cancel, only the rim of the ball is left, and order falls as R^-1.5; so first
-   neighbours point against each other, and defects hardly thin out. */
+   A flat tissue without any order of its own: the Voronoi cells of points by chance, evened out once. Its raw field
+   has a defect every few cells. At even p the mean over a ball is that of many independent cells, and order falls as
+   1/R. At odd p the two sides of a shared edge cancel, only the rim of the ball is left, and order falls as R^-1.5;
+   so first neighbours point against each other, and defects hardly thin out. */
 
 #define SURFMINK_IMPLEMENTATION
 #include "../../surfmink.h"

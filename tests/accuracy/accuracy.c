@@ -4,19 +4,19 @@
      ./accuracy --polygons 100000                                        a table for each surface, the worst witness
      ./accuracy --repeat sphere/needle 12345                             one polygon again, all its figures
 
-   Each polygon is measured by a single call, which the steps agree with to the bit; on the sphere through callbacks; and
-   as a batch by every instance of the kernels that this machine can run: what stands beside an outline in a batch does
-   not change its results, so batches of one do. What the kernels leave to the scalar path is judged there alone. A way
-   that measured nothing fails. The table of generators shows the worst of all.
+   Each polygon is measured by a single call, which the steps agree with to the bit; on the sphere through callbacks;
+   and as a batch by every instance of the kernels that this machine can run: what stands beside an outline in a batch
+   does not change its results, so batches of one do. What the kernels leave to the scalar path is judged there alone.
+   A way that measured nothing fails. The table of generators shows the worst of all.
 
    The reference below shares nothing with surfmink.h: it knows directions of edges as angles in a frame of the tangent
    plane and turns as their differences, areas on the sphere through stereographic projection. Corners are doubles and
    taken as exact; polygons that surfmink refuses are counted, not judged.
 
-   Turns are rounded, and 1 / S multiplies that: so S is judged relative to c, mu and the angles against 1 + c + c^2 / 10,
-   with c = (sum |alpha| + |2 pi - S|) / S; through callbacks against 1 + c^2 + sqrt(n) / 10; S through callbacks, which is the sum of their rounded turns, relative to
-   c + sqrt(n) / 50. Areas are judged against how much their triangles cancel. The exit status is 1 if one of the limits
-   in `quantity` is exceeded. */
+   Turns are rounded, and 1 / S multiplies that: so S is judged relative to c, mu and the angles against 1 + c + c^2 /
+   10, with c = (sum |alpha| + |2 pi - S|) / S; through callbacks against 1 + c^2 + sqrt(n) / 10; S through callbacks,
+   which is the sum of their rounded turns, relative to c + sqrt(n) / 50. Areas are judged against how much their
+   triangles cancel. The exit status is 1 if one of the limits in `quantity` is exceeded. */
 #define SURFMINK_STATIC
 #define SURFMINK_DISPATCH /* all instances in one program */
 #include "surfmink.h"

@@ -2,8 +2,8 @@
    memory. Include it after surfmink.h and sets.h.
 
    Every column reads the same outlines and writes the same arrays: mu, g, L and S of each outline. A, B, C and D are
-   kept as quick as their idea allows: nothing is checked, corners of the sphere and normals are taken as unit, long sums
-   are not compensated. surfmink does all of that. */
+   kept as quick as their idea allows: nothing is checked, corners of the sphere and normals are taken as unit, long
+   sums are not compensated. surfmink does all of that. */
 #ifndef BENCH_COLUMNS_H
 #define BENCH_COLUMNS_H
 
@@ -327,8 +327,8 @@ static void flat_integrate(const double *x, size_t n, int max_rank, double *g)
 
 /* --- D: powers of the edge's normal, one multiplication a rank ---------------------------------------------------- */
 
-/* The best that scalar code can do in the plane: no angle is ever formed. w_i = l_i z_i^p becomes that of the next rank,
-   block by block as in B. */
+/* The best that scalar code can do in the plane: no angle is ever formed. w_i = l_i z_i^p becomes that of the next
+   rank, block by block as in B. */
 static void direct_integrate(const double *x, size_t n, int max_rank, double *g)
 {
     double re[BLOCK], im[BLOCK], cosine[BLOCK], sine[BLOCK], length;

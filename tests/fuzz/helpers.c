@@ -33,7 +33,8 @@ static int is_near(const double *a, const double *b, size_t stride, double dista
     return most * sqrt(sum) < distance * (1 - 1e-14) || most == 0;
 }
 
-/* Twice reversed is what it was; what is merged has no neighbours within the distance; a smoothed outline keeps its centre. */
+/* Twice reversed is what it was; what is merged has no neighbours within the distance; a smoothed outline keeps its
+   centre. */
 static void repairs(bytes *in)
 {
     double corner[3 * CORNERS], normal[3 * CORNERS], copy[3 * CORNERS], before = 0, after = 0, most = 0, distance = 0;

@@ -65,7 +65,8 @@ static void claim_steps(const surfmink_outline *view, const measured *m)
     if (m->w.length > 1e-290) CLAIM(same_bits(mu, m->mu, sizeof mu)); /* else components lose digits, or all */
 }
 
-/* In one call and in four steps, and what each of them promises. Returns 0 if there is nothing to compare others with. */
+/* In one call and in four steps, and what each of them promises. Returns 0 if there is nothing to compare others
+   with. */
 static int measure_twice(const outline *o, measured *m)
 {
     surfmink_outline view = view_of(o);

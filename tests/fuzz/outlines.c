@@ -1,5 +1,5 @@
-/* outlines.c - fuzzes the command outlines: its options, readers of TIFF, NPY and PGM, boundaries, charts, and the table
-   that comes out; and numbers painted back. */
+/* outlines.c - fuzzes the command outlines: its options, readers of TIFF, NPY and PGM, boundaries, charts, and the
+   table that comes out; and numbers painted back. */
 #define WORLD_MEMORY 4000000 /* an input of a few hundred bytes has few pixels, whatever it announces */
 #include "world.h"
 

@@ -1,5 +1,5 @@
-/* patic.c - fuzzes the p-atic field: its topology, from outlines on a small lattice where all sorts of cells meet; and the
-   command patic, its options, tables and pictures. An input that begins with the byte 1 is outlines. */
+/* patic.c - fuzzes the p-atic field: its topology, from outlines on a small lattice where all sorts of cells meet;
+   and the command patic, its options, tables and pictures. An input that begins with the byte 1 is outlines. */
 #include "world.h"
 
 #define HAS_POSIX 0 /* streams in memory have nothing to poll */

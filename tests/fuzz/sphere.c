@@ -1,4 +1,5 @@
-/* sphere.c - fuzzes what measures polygons of the sphere: measure, edges, area, frame; log, exp, and both as callbacks. */
+/* sphere.c - fuzzes what measures polygons of the sphere: measure, edges, area, frame; log, exp, and both as
+   callbacks. */
 #include "outline.h"
 
 static double dot(const double a[3], const double b[3])

@@ -1,5 +1,5 @@
-/* math.h - the few functions of libm that examples/surfaces and playground.c ask for, where there is no libm: WebAssembly
-   without a runtime. MIT or public domain, as surfmink.h, which itself asks for sqrt alone.
+/* math.h - the few functions of libm that examples/surfaces and playground.c ask for, where there is no libm:
+   WebAssembly without a runtime. MIT or public domain, as surfmink.h, which itself asks for sqrt alone.
 
      clang --target=wasm32 -ffreestanding -fno-math-errno -isystem examples/playground/freestanding ...
 
