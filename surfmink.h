@@ -2074,8 +2074,8 @@ static int surfmink__integrate(const surfmink__polygon *p, const double *phase, 
             surfmink__add_ranks(b.length, phase ? phase + start : phases, b.count, unit, first, ranks, sum);
         }
         for (k = 0; k < ranks; ++k) {
-            v[0] = surfmink__value(sum + 2 * k);
-            v[1] = surfmink__value(sum + 2 * k + 1);
+            v[0] = surfmink__value(sum + 2 * (size_t)k);
+            v[1] = surfmink__value(sum + 2 * (size_t)k + 1);
             if (g) {
                 g[2 * (size_t)(first + k)] = v[0] / unit;
                 g[2 * (size_t)(first + k) + 1] = v[1] / unit;
@@ -3457,8 +3457,8 @@ SURFMINK__KERNEL void SURFMINK__(accept)(const surfmink__job *job, SURFMINK__(to
             good = good & SURFMINK__LESS(zero, area);
         if (job->all->kind == SURFMINK_SPHERE) known = two_pi - area;
         good = good & SURFMINK__LESS(SURFMINK__ABS(turning - known), SURFMINK__SET(1e-3));
-        if (job->all->kind != SURFMINK_PLANE) { /* there whole turns are counted, which rounding does not reach */
-            clockwise = clockwise ^ clockwise;
+        if (job->all->kind != SURFMINK_PLANE) {     /* there whole turns are counted, which rounding does not reach */
+            clockwise = SURFMINK__LESS(zero, zero); /* none */
             good = good & SURFMINK__LESS(SURFMINK__LOAD(t->largest + lane), SURFMINK__SET(1e300));
             good =
                 good & SURFMINK__LESS(SURFMINK__LOAD(t->sharpest + lane), SURFMINK__SET(3.14159265358978)); /* spikes */

@@ -267,7 +267,7 @@ static void report_mesh(const mesh *m)
 static int check_copies(const mesh *m, const double *field, mesh_error *error)
 {
     size_t v;
-    for (v = 0; m->joint && v < m->vertices; ++v)
+    for (v = 0; m->joint && field && v < m->vertices; ++v)
         if (field[v] < field[m->joint[v]] || field[v] > field[m->joint[v]])
             return mesh__fail(error, MESH_MALFORMED, m->name, 0,
                               "vertices %lu and %lu (from 0) are one point with two values: %g and %g",

@@ -298,6 +298,7 @@ static inline int crossings_embedded(const double *corner, const double *normal,
     double mean[3] = {0, 0, 0}, across[3] = {0, 0, 0}, up[3], length, *flat;
     size_t i, k, least = 0;
     int found;
+    if (!normal) return CROSSINGS_UNKNOWN;
     for (i = 0; i < n; ++i) {
         length = sqrt(normal[3 * i] * normal[3 * i] + normal[3 * i + 1] * normal[3 * i + 1] +
                       normal[3 * i + 2] * normal[3 * i + 2]);

@@ -325,8 +325,8 @@ static inline void surfmink_curve__add_ranks(const surfmink_curve__arcs *c, int 
         surfmink_curve__times_power(w, z, first - 1);
         surfmink_curve__times_power(v, u, first - 1);
         for (k = 0; k < ranks; ++k) {
-            surfmink_curve__add(sum[2 * k], w[0] * v[1]);
-            surfmink_curve__add(sum[2 * k + 1], w[1] * v[1]);
+            surfmink_curve__add(sum[2 * (size_t)k], w[0] * v[1]);
+            surfmink_curve__add(sum[2 * (size_t)k + 1], w[1] * v[1]);
             surfmink_curve__multiply(w, z);
             surfmink_curve__multiply(v, u);
         }
@@ -350,13 +350,13 @@ static inline void surfmink_curve__integrate(const surfmink_curve__arcs *c, int 
         surfmink_curve__add_ranks(c, first, ranks, sum);
         for (k = 0; k < ranks; ++k) {
             p = first + k;
-            component[0] = (sum[2 * k][0] + sum[2 * k][1]) / p;
-            component[1] = (sum[2 * k + 1][0] + sum[2 * k + 1][1]) / p;
+            component[0] = (sum[2 * (size_t)k][0] + sum[2 * (size_t)k][1]) / p;
+            component[1] = (sum[2 * (size_t)k + 1][0] + sum[2 * (size_t)k + 1][1]) / p;
             if (mu) mu[p] = fmin(1, hypot(component[0], component[1]) / c->w.length);
             if (!g) continue;
             surfmink_curve__times_power(component, lead, p);
-            g[2 * p] = component[0] * c->unit;
-            g[2 * p + 1] = component[1] * c->unit;
+            g[2 * (size_t)p] = component[0] * c->unit;
+            g[2 * (size_t)p + 1] = component[1] * c->unit;
         }
     }
 }

@@ -152,10 +152,13 @@ static inline int surfmink_director(const surfmink_outline *o, const double *len
     if (m.direction) { /* 2 P + 2 numbers for now */
         if ((status = surfmink_irreducible(length, lag, o->n, max_rank, m.direction)) != SURFMINK_OK) return status;
         for (p = 0; p <= max_rank && m.coherence; ++p)
-            m.coherence[p] = fmin(1, hypot(m.direction[2 * p], m.direction[2 * p + 1]) / m.direction[0]);
+            m.coherence[p] =
+                fmin(1, hypot(m.direction[2 * (size_t)p], m.direction[2 * (size_t)p + 1]) / m.direction[0]);
     }
     for (p = max_rank; p > 0 && m.direction; --p) { /* backwards: the sums lie in front of where the vectors go */
-        angle = (atan2(m.direction[2 * p + 1], m.direction[2 * p]) + atan2(g[2 * p + 1], g[2 * p])) / p;
+        angle = (atan2(m.direction[2 * (size_t)p + 1], m.direction[2 * (size_t)p]) +
+                 atan2(g[2 * (size_t)p + 1], g[2 * (size_t)p])) /
+                p;
         cosine = cos(angle);
         sine = sin(angle);
         for (k = 0; k < dim; ++k) m.direction[(size_t)p * dim + k] = cosine * m.axis[k] + sine * e2[k];

@@ -167,13 +167,13 @@ static inline void surfmink_gradient__horner(const double *by_g, int max_rank, s
     double c[2][SURFMINK_GRADIENT__LANES], d[2][SURFMINK_GRADIENT__LANES], re = 0, im = 0, x, y, swap;
     int p, k;
     for (k = 0; k < SURFMINK_GRADIENT__LANES; ++k) {
-        c[0][k] = max_rank > 0 ? by_g[2 * max_rank] : 0;
-        c[1][k] = max_rank > 0 ? -by_g[2 * max_rank + 1] : 0;
+        c[0][k] = max_rank > 0 ? by_g[2 * (size_t)max_rank] : 0;
+        c[1][k] = max_rank > 0 ? -by_g[2 * (size_t)max_rank + 1] : 0;
         d[0][k] = d[1][k] = 0;
     }
     for (p = max_rank - 1; p >= 0; --p) {
-        re = p > 0 ? by_g[2 * p] : 0;
-        im = p > 0 ? -by_g[2 * p + 1] : 0;
+        re = p > 0 ? by_g[2 * (size_t)p] : 0;
+        im = p > 0 ? -by_g[2 * (size_t)p + 1] : 0;
         for (k = 0; k < SURFMINK_GRADIENT__LANES; ++k) {
             x = l->z[0][k];
             y = l->z[1][k];

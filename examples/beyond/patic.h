@@ -694,7 +694,8 @@ static inline int patic_field(patic *t, int p, double *z, double *mu_p)
     if (p < 1 || p > t->max_rank) return SURFMINK_BAD_ARGUMENT;
     for (c = 0; c < t->cells; ++c) {
         size_t at = t->offset[c], n = t->offset[c + 1] - at;
-        double *g = t->scratch, *mean = g + 2 * ((size_t)p + 1), *sum = g + 2 * p, *sharp = mean + 2 * p;
+        double *g = t->scratch, *mean = g + 2 * ((size_t)p + 1), *sum = g + 2 * (size_t)p,
+               *sharp = mean + 2 * (size_t)p;
         double mu, angle;
         z[2 * c] = z[2 * c + 1] = 0;
         if (mu_p) mu_p[c] = 0;
@@ -1023,7 +1024,7 @@ static inline size_t patic_defects(patic *t, const double *z)
         else if (t->loop[l].k != 0)
             patic__add_corner(t, l);
     }
-    for (i = 0, c = 0; c < t->cells; ++c) { /* centres of cores: loop counts their cells for now */
+    for (c = 0; c < t->cells; ++c) { /* centres of cores: loop counts their cells for now */
         if (t->queue[c] == PATIC_NONE) continue;
         d = &t->defect[t->mark[t->queue[c]]];
         d->loop = d->loop == PATIC_NONE ? 1 : d->loop + 1;

@@ -118,7 +118,7 @@ static void place_on_page(const field_panel *panel, const double x[3], double pa
 {
     double v[3];
     to_view(&panel->eye, x, v);
-    page[0] = panel->left + FIELD_PANEL / 2 + panel->scale * (v[0] - panel->middle[0]);
+    page[0] = panel->left + 0.5 * FIELD_PANEL + panel->scale * (v[0] - panel->middle[0]);
     page[1] = panel->top + panel->height / 2 - panel->scale * (v[1] - panel->middle[1]);
 }
 

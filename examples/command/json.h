@@ -23,7 +23,7 @@ static char json_next(json *j)
 {
     for (; j->at < j->size && strchr(" \t\r\n", j->text[j->at]); ++j->at)
         if (j->text[j->at] == '\n') ++j->line;
-    return j->at < j->size ? j->text[j->at] : '\0';
+    return (char)(j->at < j->size ? j->text[j->at] : '\0');
 }
 
 /* Is this character the next one? Then it is taken. */

@@ -297,6 +297,7 @@ static void resample_corners(polygon *p, double step)
     size_t stride = stride_of(p->surface), n, i, k, edge = 0;
     double length = 0, at, passed = 0, *side = (double *)resize(NULL, p->n + 1, sizeof *side), x[3],
            normal[3] = {0, 0, 0};
+    side[0] = 0;
     for (i = 0; i < p->n; ++i) {
         const double *a = p->corner + i * stride, *b = p->corner + (i + 1 < p->n ? i + 1 : 0) * stride;
         side[i] = hypot(hypot(b[0] - a[0], b[1] - a[1]), stride == 3 ? b[2] - a[2] : 0);
@@ -309,7 +310,7 @@ static void resample_corners(polygon *p, double step)
     if (n < 3) n = 3;
     memset(&fine, 0, sizeof fine);
     begin_polygon(&fine, p->surface, p->id, p->first_line);
-    for (i = 0; i < n && length > 0; ++i) {
+    for (i = 0; i < n && length > 0 && p->corner; ++i) {
         const double *a, *b;
         double t;
         size_t next;

@@ -198,7 +198,7 @@ static const char *id_of_row(table *t)
 static int is_seen(table *t, const char *id)
 {
     uint64_t hash = 0xcbf29ce4;
-    size_t i, at, room = 2 * MOST_SEEN;
+    size_t i, at, room = 2 * (size_t)MOST_SEEN;
     for (; *id; ++id) hash = ((hash ^ (unsigned char)*id) & 0xffffffffffff) * 0x5bd1 ^ hash >> 40;
     hash |= 1; /* 0 is an empty place */
     if (t->seen_count == MOST_SEEN) return 0;

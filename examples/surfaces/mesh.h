@@ -219,7 +219,7 @@ static inline int mesh__split_faces(mesh *m, const mesh_file *f, mesh_error *err
     ring.next = work, ring.last = work + most, ring.reflex = work + 2 * most;
     for (i = 0; !status && i < f->faces; ++i) {
         ring.begin = f->begin[i];
-        ring.count = n = f->begin[i + 1] - f->begin[i];
+        ring.count = f->begin[i + 1] - f->begin[i];
         mesh_file_area(f, i, ring.area);
         status = mesh__split(m, room, &ring, f->line[i], error);
     }

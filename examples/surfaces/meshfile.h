@@ -646,10 +646,9 @@ static inline int mesh__ply_element(mesh__reader *r, mesh_file *f, char format, 
             status = mesh__ply_number(r, format, p->count, &at, &count);
             for (; !status && count > 0; --count) status = mesh__ply_number(r, format, p->type, &at, &ignored);
         } else {
-            double *to = !p->is         ? &ignored
-                         : p->is == 'f' ? &value
-                         : p->is >= 'x' ? x + (p->is - 'x')
-                                        : normal + (p->is - 'a');
+            double *to = !p->is ? &ignored : &value;
+            if (p->is >= 'x' && p->is <= 'z') to = x + (p->is - 'x');
+            if (p->is >= 'a' && p->is <= 'c') to = normal + (p->is - 'a');
             if (p->is >= 'a' && p->is <= 'c') is_normal = 1;
             status = mesh__ply_number(r, format, p->type, &at, to);
         }
@@ -748,7 +747,7 @@ static inline int mesh__read_stl_binary(mesh__reader *r, mesh_file *f)
         for (k = 0; !status && k < 12; ++k) status = mesh__ply_number(r, 'l', 'f', &none, &number[k]);
         if (!status) status = mesh__ply_number(r, 'l', 'S', &none, &number[0]);
         for (k = 0; !status && k < 3; ++k) {
-            status = mesh__add_vertex(r, f, number + 3 + 3 * k);
+            status = mesh__add_vertex(r, f, number + 3 + 3 * (size_t)k);
             if (!status) status = mesh__add_corner(r, f, f->vertices - 1, (long)f->vertices - 1);
         }
         if (!status) status = mesh__end_face(r, f, f->vertices);
@@ -909,8 +908,9 @@ static inline int mesh__vtk_data(mesh__reader *r, mesh_file *f, const char *key,
     long i, n = 0;
     int k, wanted = 0, status;
     if (strcmp(key, "FIELD") == 0) return mesh__vtk_field(r, f, points);
-    if (strcmp(key, "SCALARS") && strcmp(key, "NORMALS") && strcmp(key, "VECTORS") && strcmp(key, "TENSORS") &&
-        strcmp(key, "TEXTURE_COORDINATES") && strcmp(key, "COLOR_SCALARS") && strcmp(key, "LOOKUP_TABLE"))
+    if (strcmp(key, "SCALARS") != 0 && strcmp(key, "NORMALS") != 0 && strcmp(key, "VECTORS") != 0 &&
+        strcmp(key, "TENSORS") != 0 && strcmp(key, "TEXTURE_COORDINATES") != 0 && strcmp(key, "COLOR_SCALARS") != 0 &&
+        strcmp(key, "LOOKUP_TABLE") != 0)
         return -1;
     k = key[0] == 'S'   ? 's'
         : key[0] == 'L' ? 'l'
@@ -1139,7 +1139,7 @@ static inline int mesh__is_stl_binary(const char *first, size_t length)
     for (k = 0; k < 3; ++k) {
         unsigned char in[4], turned[4];
         int b;
-        memcpy(in, first + 84 + 4 * k, 4);
+        memcpy(in, first + 84 + 4 * (size_t)k, 4);
         for (b = 0; b < 4; ++b) turned[b] = in[one.number == 1 ? b : 3 - b];
         memcpy(&n[k], turned, 4);
         square += (double)n[k] * (double)n[k];
