@@ -371,18 +371,20 @@ static const char *remedy(int status)
 
 static int status_of(const outlines *all, const patic *t, size_t c)
 {
-    return all->fault[c] != SURFMINK_OK ? all->fault[c] : t->cell[c].status;
+    return all->fault && all->fault[c] != SURFMINK_OK ? all->fault[c] : t->cell[c].status;
 }
 
 static void complain(const request *q, const outlines *all, const patic *t, size_t c)
 {
-    int status = all->fault ? status_of(all, t, c) : SURFMINK_OK; /* no cells, no arrays: for static analysis */
+    int status = status_of(all, t, c);
     size_t n = all->offset[c + 1] - all->offset[c], bad = t->cell[c].bad;
-    unsigned long line = status == t->cell[c].status && bad < n ? all->line[all->offset[c] + bad] : all->first_line[c];
+    unsigned long line;
+    if (!all->line || !all->first_line) return; /* there is no cell */
+    line = status == t->cell[c].status && bad < n ? all->line[all->offset[c] + bad] : all->first_line[c];
     fprintf(stderr, "%s:%lu: cell ", q->reading.file[0], line);
     put_text(stderr, all->id[c], IN_TABLE);
     fprintf(stderr, ": %s: %s", patic_status_name(status), patic_strerror(status));
-    if (all->fault[c] == SURFMINK_OK && t->cell[c].other != PATIC_NONE) {
+    if (status == t->cell[c].status && t->cell[c].other != PATIC_NONE) {
         fputs(status == PATIC_OVERLAPS ? " already, to cell " : ", those of it and of cell ", stderr);
         put_text(stderr, all->id[t->cell[c].other], IN_TABLE);
     }
