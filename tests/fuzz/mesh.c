@@ -15,13 +15,14 @@ static FILE *open_bytes(const bytes *in)
 static void measure_loops(const mesh_loops *loops)
 {
     surfmink_functionals w;
+    surfmink_outline loop;
     size_t k, n;
     for (k = 0; k < loops->loops; ++k) {
         n = loops->start[k + 1] - loops->start[k];
         CLAIM(n >= 3);
         CLAIM(all_finite(loops->corner + 3 * loops->start[k], 3 * n));
-        CLAIM(is_known(surfmink_measure_embedded(loops->corner + 3 * loops->start[k],
-                                                 loops->normal + 3 * loops->start[k], n, 6, NULL, NULL, &w, NULL)));
+        loop = surfmink_embedded(loops->corner + 3 * loops->start[k], loops->normal + 3 * loops->start[k], n);
+        CLAIM(is_known(surfmink_measure(&loop, 6, NULL, NULL, &w, NULL)));
     }
 }
 
