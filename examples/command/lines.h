@@ -270,4 +270,20 @@ static void split_line(lines *in, char separator)
     }
 }
 
+/* strtod, the same in every locale: for surfaces/meshfile.h. */
+static inline double strtod_everywhere(const char *text, char **end)
+{
+    static powers_of_ten powers;
+    static int ready;
+    const char *behind;
+    double x = 0;
+    if (!ready) prepare_powers(&powers);
+    ready = 1;
+    behind = read_number(&powers, text, &x);
+    if (!behind) behind = text;
+    memcpy(end, &behind, sizeof *end);
+    return x;
+}
+#define MESH_STRTOD strtod_everywhere
+
 #endif

@@ -238,11 +238,15 @@ static inline int mesh__line(mesh__reader *r, int comments, int *got)
     }
 }
 
+#ifndef MESH_STRTOD
+#define MESH_STRTOD strtod /* yours may read the same numbers in every locale */
+#endif
+
 /* Reads a number at *at, or an integer, and moves on behind it; 0 if there is none. */
 static inline int mesh__number(char **at, double *x)
 {
     char *end;
-    *x = strtod(*at, &end);
+    *x = MESH_STRTOD(*at, &end);
     if (end == *at || (*end && !strchr(" \t", *end))) return 0;
     *at = end;
     return 1;
