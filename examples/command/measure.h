@@ -320,7 +320,7 @@ static const double *find_sigma(measures *m, const surfmink_outline *outline, do
         (double *)grow(m->scratch, &m->scratch_room, surfmink_noise_room(outline->n, o->max_rank), sizeof *m->scratch);
     if (surfmink_noise(outline, o->max_rank, deviation, &out, m->scratch) != SURFMINK_OK) return NULL;
     for (p = 1; p <= o->max_rank; ++p)
-        if (!(p * deviation <= MOST_NOISE * edge)) m->sigma[p] = NAN;
+        if (!(p * deviation <= MOST_NOISE * edge)) m->sigma[p] = (double)NAN;
     return m->sigma;
 }
 
