@@ -208,7 +208,7 @@ static inline int mesh__split(mesh *m, size_t room[2], mesh__ring *ring, unsigne
 static inline int mesh__split_faces(mesh *m, const mesh_file *f, mesh_error *error)
 {
     mesh__ring ring;
-    size_t i, n, most = 3, room[2] = {0, 0}, *work;
+    size_t i, most = 3, room[2] = {0, 0}, *work;
     int status = MESH_OK;
     for (i = 0; i < f->faces; ++i)
         if (f->begin[i + 1] - f->begin[i] > most) most = f->begin[i + 1] - f->begin[i];
