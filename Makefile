@@ -3,7 +3,7 @@
 #   make            the commands: surfmink levelset outlines patic tissue relax, in .build/
 #   make demo       measures countries, the H3 grid, a tissue and an image; pictures in .build/demo/
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
-#   make pictures   the pictures of docs/theory.md, and the numbers behind them, in .build/pictures/
+#   make pictures   the pictures of docs/internals/theory.md, and the numbers behind them, in .build/pictures/
 #   make playground  docs/playground.html, a page to play with; needs clang and lld
 #   make test       all tests; needs cc and make, nothing else; EFFORT=10 for ten times as many seeds
 #   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2

@@ -82,8 +82,8 @@
                estimate: see surfmink_area
      by each way to measure: single calls, steps, callbacks, batches; at any size, from 3 to 1e5 corners, for edges from
      2.3e-308 to 1e308. make accuracy holds all ways against quadruple precision: cells of size 1e-12, corners off the
-     sphere, edges steep against the tangent plane, needles, spikes, spirals, next to great circles; docs/trust.md has
-     the worst found. c is about rounding, not about errors of the corners themselves: a corner that is off by e may
+     sphere, edges steep against the tangent plane, needles, spikes, spirals, next to great circles; the worst found
+     stand in docs/internals/trust.md. c is about rounding, not about errors of the corners themselves: a corner that is off by e may
      change mu_p by 2 pi p e / (S l) or so, with l the length of its edges.
      Angles come from differences of corners and an arctangent, never arccos; long sums are compensated. Corners that
      the plain formulas do not measure well (spikes, edges steep against the tangent plane or longer than 100 degrees
@@ -247,7 +247,7 @@ typedef struct surfmink_results {
    Errors: each outline has its own, as in surfmink_measure; all have BAD_ARGUMENT if max_rank or the radius is bad, and
    so has one whose offsets fall, or that ends after all->n.
    An outline's results do not depend on the others nor on the number of threads. They differ from those of
-   surfmink_measure by rounding. Cost: O(corners P), 90 KiB of stack; in docs/performance.md in figures. */
+   surfmink_measure by rounding. Cost: O(corners P), 90 KiB of stack; in docs/internals/performance.md in figures. */
 SURFMINK_DEF size_t surfmink_batch(const surfmink_outline *all, const size_t *offset, size_t count, int max_rank,
                                    const surfmink_results *out, double *scratch);
 
@@ -3948,7 +3948,7 @@ static size_t surfmink__window_size(const surfmink__job *job, size_t count)
 #endif
 
 #ifdef _OPENMP
-/* Fewer corners than this are measured before another thread has begun: docs/performance.md. */
+/* Fewer corners than this are measured before another thread has begun: docs/internals/performance.md. */
 static const size_t surfmink__parallel = 400000;
 
 /* Where offsets fall, outlines may share corners, and so scratch: that is no work for threads. */

@@ -1,8 +1,8 @@
 #!/bin/sh
 # check.sh DIRECTORY [WORD]: what a header is judged by and only other tools can tell: warnings in every dialect, the
 # symbols it exports, ways to include it, other compilers, flags and machines, static analysis, sanitizers, layout.
-# Works in DIRECTORY; runs only checks whose name has the WORD in it, if there is one. docs/trust.md says more. JOBS
-# checks run at a time; SLOW=10 names those that took so many seconds of the processor. Needs what .ci/run installs; a
+# Works in DIRECTORY; runs only checks whose name has the WORD in it, if there is one. docs/internals/trust.md
+# says more. JOBS checks run at a time; SLOW=10 names those that took so many seconds of the processor. Needs what .ci/run installs; a
 # tool that is missing is a check that fails.
 . "$(dirname "$0")/pool.sh"
 work=$1
@@ -460,13 +460,13 @@ check "make demo: valid pictures, those of docs/pictures among them" "$(quietly 
 check "the polygons of make demo, as another program reads them" "$(quietly "make -s demo") &&
     assimp info .build/demo/tissue.ply -r | grep -E '^(Faces: *400|Vertices: *2388|    0 \(\):.*polygon)' |
     wc -l | grep -qx 3"
-check "make paper: every printed digit, and the pictures of docs/paper.md" "$(quietly "make -s paper") &&
+check "make paper: every printed digit, and the pictures of docs/internals/paper.md" "$(quietly "make -s paper") &&
     xmllint --noout .build/paper/*.svg &&
     for picture in docs/paper/*.svg; do cmp .build/paper/\${picture##*/} \$picture; done"
-check "make pictures: those of docs/theory.md, to the byte" "$(quietly "make -s pictures") &&
+check "make pictures: those of docs/internals/theory.md, to the byte" "$(quietly "make -s pictures") &&
     xmllint --noout .build/pictures/*.svg &&
     for picture in .build/pictures/*.svg; do cmp \$picture docs/pictures/\${picture##*/}; done"
-check "the programs of docs/theory.md: silent" "for program in examples/theory/*.c; do
+check "the programs of docs/internals/theory.md: silent" "for program in examples/theory/*.c; do
         gcc -std=c99 $wall_c $declared -I. -c \$program -o $here/program.o
         clang -std=c99 $wall_c $declared -I. -c \$program -o $here/program.o
     done"

@@ -95,7 +95,7 @@ static measured measure(outline *o, const unsigned char *sharp, int order)
     return m;
 }
 
-/* --- docs/beyond.md ----------------------------------------------------------------------------------------------- */
+/* --- docs/internals/beyond.md --------------------------------------------------------------------------------------- */
 
 /* A row of a table there: errors, and in brackets the orders of their convergence, if there are any; 0 is a dash.
    Prints it as the page has it, and holds the page to it: errors to 8 % or a rounding, orders to 0.02. */
@@ -105,13 +105,13 @@ static void documented(const char *key, const double *error, const double *order
     const char *at;
     char *end;
     int k;
-    FILE *file = fopen("docs/beyond.md", "r");
+    FILE *file = fopen("docs/internals/beyond.md", "r");
     size_t size = file ? fread(page, 1, sizeof page - 1, file) : 0;
     if (file) fclose(file);
     page[size] = '\0';
     sprintf(line, "\n| %s |", key);
     at = strstr(page, line);
-    CASE("docs/beyond.md: %s", key);
+    CASE("docs/internals/beyond.md: %s", key);
     CHECK(at != NULL || FEWER > 1);
     if (at) at += strlen(line);
     printf("%s", line + 1);
@@ -791,7 +791,7 @@ static void along(const wobble *w, size_t n, outline *o)
 }
 
 /* Of curves that the rules were not found with: within the estimate in 95 %, within three times it in 99.9 %, half of
-   the errors above a tenth of it. make accuracy takes more curves and prints the table of docs/beyond.md. */
+   the errors above a tenth of it. make accuracy takes more curves and prints the table of docs/internals/beyond.md. */
 THEOREM(errors_of_unseen_curves_are_within_their_estimates)
 {
     static estimates e[2][CORNER_RANGES], none;

@@ -534,7 +534,7 @@ THEOREM(the_smaller_an_outline_the_better_its_edges_agree)
     }
 }
 
-/* The table in docs/beyond.md: a hexagon without symmetry at several sizes, by both transports. */
+/* The table in docs/internals/beyond.md: a hexagon without symmetry at several sizes, by both transports. */
 THEOREM(the_coherence_of_a_hexagon_without_symmetry_is_what_the_documents_say)
 {
     static const double xy[12] = {1, 0, 0.6, 0.7, -0.3, 0.8, -1, 0.2, -0.5, -0.6, 0.4, -0.9};

@@ -64,7 +64,7 @@ run_block() {
     esac
 }
 
-for page in README.md docs/*.md; do
+for page in README.md docs/*.md docs/internals/*.md; do
     other=$(sed -n 's/^<!-- run by \(tests\/[a-z_]*\.sh\) -->$/\1/p' "$page")
     if [ "$other" ]; then
         has "$page is run by $other" "$other" "$page"

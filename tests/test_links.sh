@@ -3,7 +3,7 @@
 # there, and to a heading that is in it. Links to other places are only listed, if asked for. And every page of docs/
 # can be reached from README.md.
 . "$(dirname "$0")/harness.sh"
-pages="README.md $(echo docs/*.md) $(find examples tests -name '*.md' | sort)"
+pages="README.md $(echo docs/*.md docs/internals/*.md) $(find examples tests -name '*.md' | sort)"
 
 # links PAGE: the targets of [text](target) and ![text](target), outside of code.
 links() {
@@ -65,7 +65,7 @@ awk '{ to[$1] = to[$1] " " $2 }
                 if (!seen[next_page[k]]++) queue[++n] = next_page[k]
         }
     }' "$work/edges" > "$work/reached"
-for page in docs/*.md; do
+for page in docs/*.md docs/internals/*.md; do
     has "$page can be reached from README.md" "$work/reached" "$page"
 done
 totals

@@ -70,12 +70,12 @@ for program in "$build"/theory_*; do
     check "$name says what it draws" "$? $(($(wc -l < "$work/said") > 8))" "0 1"
     alike "docs/pictures/$name.svg is up to date (make pictures)" "$work/$name.svg" "docs/pictures/$name.svg"
     check "$name.svg is small" "$(($(wc -c < "$work/$name.svg") < 200000))" 1
-    grep -F "pictures/$name.svg" docs/theory.md docs/field.md > /dev/null
-    count $? "docs/theory.md or field.md shows $name.svg" "nowhere" "somewhere"
+    grep -F "pictures/$name.svg" docs/internals/theory.md docs/field.md > /dev/null
+    count $? "docs/internals/theory.md or field.md shows $name.svg" "nowhere" "somewhere"
 done
 "$build/tissue" --cells 60 --relax 1 --axes 90,60,50 > "$work/wild.tsv"
 "$build/surfmink" --color-by 6 --unit µm --svg "$work/relax_before.svg" "$work/wild.tsv" > "$work/said"
-alike "docs/pictures/relax_before.svg is up to date (docs/beyond.md)" "$work/relax_before.svg" \
+alike "docs/pictures/relax_before.svg is up to date (docs/internals/beyond.md)" "$work/relax_before.svg" \
     docs/pictures/relax_before.svg
 sh examples/demo.sh "$build/surfmink" "$work/demo" > "$work/said" 2> "$work/err"
 for name in countries h3_mu tissue tissue_ranks tissue_mu tissue_scatter; do

@@ -2,7 +2,7 @@
    or, where that is not true, as it has to be.
    cc -I. tests/test_statements.c -lm && ./a.out
 
-   docs/paper.md has the table from statements to theorems. The orders of convergence are in test_paper.c. */
+   docs/internals/paper.md has the table from statements to theorems. The orders of convergence are in test_paper.c. */
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 #include "examples/surfaces/ellipsoid.h"

@@ -15,7 +15,7 @@
 
    One header to copy beside surfmink.h. C99 and C++11, only public calls and libm; no allocation, no globals. Every
    function is static inline. Errors as in surfmink.h: outputs are then untouched, except *bad.
-   Derivation, convergence, limits, and how good the estimates are: docs/beyond.md. */
+   Derivation, convergence, limits, and how good the estimates are: docs/internals/beyond.md. */
 #ifndef SURFMINK_CURVE_H
 #define SURFMINK_CURVE_H
 
@@ -620,8 +620,8 @@ static inline double surfmink_curve__around(const double *off, int p)
 static inline void surfmink_curve__estimate(surfmink_curve__work *work, const surfmink_curve__arcs *all, int max_rank,
                                             double *error)
 {
-    static const double safety = 2;       /* with it the estimates hold as often as docs/beyond.md says */
-    static const double rounding = 2e-14; /* of mu, over 1 + condition: docs/beyond.md */
+    static const double safety = 2;       /* with it the estimates hold as often as docs/internals/beyond.md says */
+    static const double rounding = 2e-14; /* of mu, over 1 + condition: docs/internals/beyond.md */
     double noise = rounding * (1 + all->w.condition), phase = 2 * surfmink_curve__pi * all->sharpest / all->w.turning;
     double half, quarter, growth, twofold = -1, fourfold = -1;
     int p;

@@ -15,7 +15,7 @@
 
    Reverse accumulation: an energy is known by its derivatives, called weights, and steps 4, 3, 2, 1 of surfmink.h hand
    them back, from mu to the corners. That takes as long as measuring, whatever the number of corners. The formulas are
-   in docs/beyond.md.
+   in docs/internals/beyond.md.
 
    ACCURACY
      The gradient is within 3e-11 of its norm in 12,000 random outlines of 3 to 22 corners, most within 1e-14. The worst
@@ -25,7 +25,8 @@
      1e-16 of an edge apart, all but one within 1.1e-12.
      Beside a great circle the gradient is off by 1e-13 / S of its norm (3e-13 / S at worst of 5,000 with S > 2e-12): at
      S = 1e-12 one or two digits are left. The rounding of the corners themselves moves it by as much.
-     Edges 0.01 rad from the normal, or longer than 60 degrees on a sphere, are within 1e-9. docs/beyond.md has tables.
+     Edges 0.01 rad from the normal, or longer than 60 degrees on a sphere, are within 1e-9. Tables:
+     docs/internals/beyond.md.
 
    One header to copy beside surfmink.h. C99 and C++11, only public calls. Every function is static inline. */
 #ifndef SURFMINK_GRADIENT_H

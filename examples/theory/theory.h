@@ -1,5 +1,5 @@
-/* theory.h - what the programs of this directory share. Each draws one picture of docs/theory.md and prints the numbers
-   behind it:
+/* theory.h - what the programs of this directory share. Each draws one picture of docs/internals/theory.md and
+   prints the numbers behind it:
 
      plot p;
      if (theory_begin(&p, argc, argv, "pixels", 700, 300)) return 1;   // argv[1] is the directory of pixels.svg

@@ -3,8 +3,8 @@
      gcc -O2 -I. tests/accuracy/curve.c -o curve -lquadmath -lm
      ./curve 400                                            so many curves of each kind; exit status 1 above a limit
 
-   The first table: worst rounding errors of order 4. The reference below is the scheme of docs/beyond.md, written once
-   more, from its formulas: turns as differences of angles in a frame of the tangent plane, geodesic curvature on the
+   The first table: worst rounding errors of order 4. The reference below is the scheme of docs/internals/beyond.md, written
+   once more, from its formulas: turns as differences of angles in a frame of the tangent plane, geodesic curvature on the
    line through two points, every sin(x) / x by itself. Corners are doubles and taken as exact.
 
    The other tables: how often errors of random curves are within their estimates. tests/curves.h draws the curves. */
@@ -282,13 +282,13 @@ static int survey(int where, int geodesics, int curves)
 
 /* --- estimates ---------------------------------------------------------------------------------------------------- */
 
-/* One line of the table. If it is that of docs/beyond.md, the page must have it; returns whether it does not. */
+/* One line of the table. If it is that of docs/internals/beyond.md, the page must have it; returns whether it does not. */
 static int print_estimates(const char *which, int order, estimates *e, int is_documented)
 {
     static char page[100000];
     char line[200];
     double known = e->known ? (double)e->known : 1;
-    FILE *file = is_documented && !*page ? fopen("docs/beyond.md", "r") : NULL;
+    FILE *file = is_documented && !*page ? fopen("docs/internals/beyond.md", "r") : NULL;
     if (file) page[fread(page, 1, sizeof page - 1, file)] = '\0';
     if (file) fclose(file);
     sprintf(line, "| %s | %d | %d | %.1f %% | %.2f %% | %.2f %% | %.1f | %.2f |\n", which, order, (int)e->all,
@@ -296,7 +296,7 @@ static int print_estimates(const char *which, int order, estimates *e, int is_do
             100 * (double)e->within_three / known, e->worst, estimate_median(e));
     printf("%s", line);
     if (!is_documented || strstr(page, line)) return 0;
-    puts("docs/beyond.md does not have this line");
+    puts("docs/internals/beyond.md does not have this line");
     return 1;
 }
 

@@ -1,4 +1,4 @@
-/* curve.c - instructions a corner of examples/beyond/curve.h, for the table in docs/beyond.md.
+/* curve.c - instructions a corner of examples/beyond/curve.h, for the table in docs/internals/beyond.md.
 
      cc -std=c99 -O2 -I. tests/bench/curve.c -o curve -lm
      for way in plane sphere embedded; do for what in 0 1 2 3; do

@@ -710,7 +710,7 @@ def sweeps():
 
 @a_set('corr4')
 def corr4():
-    """The fourth-order scheme of docs/beyond.md from its formulas, and the smooth curves that it stands for."""
+    """The fourth-order scheme of docs/internals/beyond.md from its formulas, and the smooth curves that it stands for."""
     points, ref = Table(TESTS + 'corr4_points.tsv'), Table(TESTS + 'corr4_ref.tsv')
     curves = {'c400': lambda: flower(Ellipsoid([mpf('1.6'), mpf('1.3'), mpf(1)]), pi / 2, pi / 4, mpf('0.7'),
                                      mpf('0.2'), 3),
