@@ -1,9 +1,9 @@
 #!/bin/sh
 # check.sh DIRECTORY [WORD]: what a header is judged by and only other tools can tell: warnings in every dialect, the
 # symbols it exports, ways to include it, other compilers, flags and machines, static analysis, sanitizers, layout.
-# Works in DIRECTORY; runs only checks whose name has the WORD in it, if there is one. docs/internals/trust.md
-# says more. JOBS checks run at a time; SLOW=10 names those that took so many seconds of the processor. Needs what .ci/run installs; a
-# tool that is missing is a check that fails.
+# Works in DIRECTORY; runs only checks whose name has the WORD in it, if there is one; JOBS of them at a time. SLOW=10
+# names those that took so many seconds of the processor. Needs what .ci/run installs; a tool that is missing is a check
+# that fails. docs/internals/trust.md says more.
 . "$(dirname "$0")/pool.sh"
 work=$1
 word=$2
