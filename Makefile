@@ -5,6 +5,7 @@
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make pictures   the pictures of docs/internals/theory.md, and the numbers behind them, in .build/pictures/
 #   make playground  docs/playground.html, a page to play with; needs clang and lld
+#   make reference  docs/reference.md, from the comments of surfmink.h
 #   make test       all tests; needs cc and make, nothing else; EFFORT=10 for ten times as many seeds
 #   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
@@ -111,6 +112,9 @@ $(BUILD)/playground.html: surfmink.h $(wildcard examples/playground/* examples/p
 playground: $(BUILD)/playground.html
 	cp $(BUILD)/playground.html docs/playground.html
 
+reference:
+	awk -f tests/reference.awk surfmink.h > docs/reference.md
+
 test: all $(theorems) $(theories) $(BUILD)/image/rasterise
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
@@ -194,5 +198,5 @@ install-shared: shared
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper pictures playground test check accuracy bench bench-count fuzz coverage mutants shared install \
+.PHONY: all demo paper pictures playground reference test check accuracy bench bench-count fuzz coverage mutants shared install \
   install-shared clean

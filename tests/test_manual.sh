@@ -1,6 +1,6 @@
 #!/bin/sh
-# test_manual.sh BUILD: the man pages say what --help says, CITATION.cff says what the header says, and the pictures in
-# docs/pictures are those that the programs of today draw.
+# test_manual.sh BUILD: the man pages say what --help says, docs/reference.md and CITATION.cff say what the header says,
+# and the pictures in docs/pictures are those that the programs of today draw.
 . "$(dirname "$0")/harness.sh"
 build=$(absolute "$1")
 version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
@@ -21,6 +21,22 @@ for command in surfmink levelset outlines; do
         has "$page has the exit status $status" "$page" ".It $status"
     done
 done
+
+# --- docs/reference.md ------------------------------------------------------------------------------------------------
+awk -f tests/reference.awk surfmink.h > "$work/reference.md"
+cmp -s "$work/reference.md" docs/reference.md
+count $? "docs/reference.md is up to date (make reference)" "$(diff "$work/reference.md" docs/reference.md | head -n 4)" \
+    "no difference"
+# what the header declares: one heading for each function and type, and a row for each error
+sed '/^   Implementation: /q' surfmink.h > "$work/public.h"
+sed -n 's/^SURFMINK_DEF [^(]*[ *]\(surfmink_[a-z_]*\)(.*/\1/p; s/^typedef struct \([a-z_]*\).*/\1/p
+    s/^enum \([a-z_]*\).*/\1/p' "$work/public.h" | sort > "$work/declared"
+sed -n 's/^### //p' docs/reference.md | sort > "$work/headings"
+check "docs/reference.md has every function and type" "$(cat "$work/headings")" "$(cat "$work/declared")"
+sed -n '/^enum surfmink_status/,/^}/s/^    \(SURFMINK_[A-Z_]*\) = \([0-9]*\).*/\2 \1/p' "$work/public.h" \
+    > "$work/declared"
+sed -n 's/^| \([0-9]*\) | `\(SURFMINK_[A-Z_]*\)`.*/\1 \2/p' docs/reference.md > "$work/rows"
+check "docs/reference.md has every error" "$(cat "$work/rows")" "$(cat "$work/declared")"
 
 # --- how to cite ------------------------------------------------------------------------------------------------------
 for key in cff-version message title authors version license preferred-citation; do
