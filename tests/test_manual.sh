@@ -39,7 +39,8 @@ sed -n 's/^| \([0-9]*\) | `\(SURFMINK_[A-Z_]*\)`.*/\1 \2/p' docs/reference.md > 
 check "docs/reference.md has every error" "$(cat "$work/rows")" "$(cat "$work/declared")"
 
 # --- how to cite ------------------------------------------------------------------------------------------------------
-for key in cff-version message title authors version license preferred-citation; do
+for key in cff-version message type title abstract version date-released license authors keywords \
+    preferred-citation; do
     check "CITATION.cff has one $key" "$(grep -c "^$key:" docs/CITATION.cff)" 1
 done
 check "CITATION.cff is of version 1.2.0" "$(sed -n 's/^cff-version: *//p' docs/CITATION.cff)" 1.2.0
@@ -47,6 +48,25 @@ check "the version in CITATION.cff" "$(sed -n 's/^version: *//p' docs/CITATION.c
 check "the version in README.md" "$(sed -n 's/.*surfmink, version \([0-9.]*[0-9]\).*/\1/p' README.md)" "$version"
 paper=$(sed -n 's/.*value: arXiv:\([0-9.]*\).*/\1/p' docs/CITATION.cff)
 has "README.md cites the paper of CITATION.cff" README.md "${paper:-nothing}"
+has "the DOI of the paper" docs/CITATION.cff "doi: 10.48550/arXiv.${paper:-nothing}"
+released=$(sed -n 's/^date-released: *//p' docs/CITATION.cff)
+has "docs/CHANGELOG.md has the version and the day of CITATION.cff" docs/CHANGELOG.md "## $version ($released)"
+has "docs/install.md asks CMake for the version" docs/install.md "GIT_TAG v$version"
+has "docs/install.md asks Meson for the version" docs/install.md "revision = v$version"
+
+# --- docs/ARCHITECTURE.md: what it names is there -----------------------------------------------------------------------
+tr '`' '\n' < docs/ARCHITECTURE.md | grep -E '^(surfmink_[a-z_0-9]+|[a-z]+_[a-z_0-9]+)$' | sort -u > "$work/named"
+check "docs/ARCHITECTURE.md names functions" "$(($(wc -l < "$work/named") > 25))" 1
+while read -r name; do
+    kernel=${name%_sse2} kernel=${kernel%_avx2}
+    grep -E "(^|[^a-z_0-9])($name|SURFMINK__\($kernel\))\(" surfmink.h examples/command/*.h > "$work/found"
+    count $? "docs/ARCHITECTURE.md: $name" "nowhere" "in the header"
+done < "$work/named"
+tr '`' '\n' < docs/ARCHITECTURE.md | grep -E '^(examples|tests|docs)/[a-z_/.A-Z]*$' | sort -u > "$work/named"
+while read -r name; do
+    [ -e "$name" ]
+    count $? "docs/ARCHITECTURE.md: $name" "nowhere" "a file or folder"
+done < "$work/named"
 
 # --- pictures ---------------------------------------------------------------------------------------------------------
 # alike NAME GOT WANT: the same but for the last digit of numbers, which may depend on compiler and libm, and but for
