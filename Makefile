@@ -116,7 +116,8 @@ playground: $(BUILD)/playground.html
 reference:
 	awk -f tests/reference.awk surfmink.h > docs/reference.md
 
-this_make := $(MAKE) # a test runs make install
+# a test runs make install
+this_make := $(MAKE)
 
 test: all $(theorems) $(theories) $(BUILD)/image/rasterise
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \

@@ -54,6 +54,8 @@ has "docs/CHANGELOG.md has the version and the day of CITATION.cff" docs/CHANGEL
 has "docs/install.md asks CMake for the version" docs/install.md "GIT_TAG v$version"
 has "docs/install.md asks Meson for the version" docs/install.md "revision = v$version"
 
+check "docs/guide.md is one page" "$(($(wc -w < docs/guide.md) < 1200))" 1
+
 # --- docs/ARCHITECTURE.md: what it names is there -----------------------------------------------------------------------
 tr '`' '\n' < docs/ARCHITECTURE.md | grep -E '^(surfmink_[a-z_0-9]+|[a-z]+_[a-z_0-9]+)$' | sort -u > "$work/named"
 check "docs/ARCHITECTURE.md names functions" "$(($(wc -l < "$work/named") > 25))" 1
