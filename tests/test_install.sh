@@ -41,7 +41,7 @@ for again in "" ", again"; do
 done
 check "make uninstall removes its folder" "$(find "$work/root" -name surfmink)" ""
 
-# --- docs/install.md, with a repository as its readers have cloned it --------------------------------------------------
+# --- docs/install.md, with a repository as its readers have cloned it -------------------------------------------------
 [ "$tools" = --tools ] || { totals; exit; }
 page=$work/page
 mkdir -p "$page/surfmink/.build"
@@ -82,14 +82,15 @@ while read -r kind number; do
     count $? "docs/install.md, block $((number - 100))" "$(tail -n 20 "$work/got")" "$(cat "$page/block.$number.want")"
 done < "$work/list"
 
-# find_package takes the versions that have the interface of this one
+# the installed folder may be moved; find_package takes the versions that have the interface of this one
 interface=$(echo "$version" | sed 's/^\(0\.[0-9]*\).*/\1/; t
     s/\..*//')
+mv "$page/local" "$page/moved"
 wanted() { # wanted VERSION FOUND
     mkdir -p "$work/wanted"
     printf '%s\n' 'cmake_minimum_required(VERSION 3.14)' 'project(wanted NONE)' "find_package(surfmink $1 QUIET)" \
         'message(STATUS "found ${surfmink_FOUND} ${surfmink_VERSION}")' > "$work/wanted/CMakeLists.txt"
-    cmake -S "$work/wanted" -B "$work/wanted/$1" "-DCMAKE_PREFIX_PATH=$page/local" > "$work/said" 2>&1
+    cmake -S "$work/wanted" -B "$work/wanted/$1" "-DCMAKE_PREFIX_PATH=$page/moved" > "$work/said" 2>&1
     check "find_package(surfmink $1)" "$(sed -n 's/^-- found //p' "$work/said")" "$2"
 }
 wanted "" "1 $version"

@@ -25,8 +25,8 @@ done
 # --- docs/reference.md ------------------------------------------------------------------------------------------------
 awk -f tests/reference.awk surfmink.h > "$work/reference.md"
 cmp -s "$work/reference.md" docs/reference.md
-count $? "docs/reference.md is up to date (make reference)" "$(diff "$work/reference.md" docs/reference.md | head -n 4)" \
-    "no difference"
+count $? "docs/reference.md is up to date (make reference)" \
+    "$(diff "$work/reference.md" docs/reference.md | head -n 4)" "no difference"
 # what the header declares: one heading for each function and type, and a row for each error
 sed '/^   Implementation: /q' surfmink.h > "$work/public.h"
 sed -n 's/^SURFMINK_DEF [^(]*[ *]\(surfmink_[a-z_]*\)(.*/\1/p; s/^typedef struct \([a-z_]*\).*/\1/p
@@ -56,7 +56,7 @@ has "docs/install.md asks Meson for the version" docs/install.md "revision = v$v
 
 check "docs/guide.md is one page" "$(($(wc -w < docs/guide.md) < 1200))" 1
 
-# --- docs/ARCHITECTURE.md: what it names is there -----------------------------------------------------------------------
+# --- docs/ARCHITECTURE.md: what it names is there ---------------------------------------------------------------------
 tr '`' '\n' < docs/ARCHITECTURE.md | grep -E '^(surfmink_[a-z_0-9]+|[a-z]+_[a-z_0-9]+)$' | sort -u > "$work/named"
 check "docs/ARCHITECTURE.md names functions" "$(($(wc -l < "$work/named") > 25))" 1
 while read -r name; do
