@@ -214,5 +214,5 @@ uninstall-shared:
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper pictures playground reference test check accuracy bench bench-count fuzz coverage mutants shared \
-  install uninstall install-shared uninstall-shared clean
+.PHONY: all demo paper pictures playground reference test check accuracy bench bench-count fuzz coverage mutants \
+  shared install uninstall install-shared uninstall-shared clean

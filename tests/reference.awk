@@ -40,8 +40,8 @@ BEGIN {
     print "<!-- run by tests/test_manual.sh -->\n"
     print "Every public function and type of `surfmink.h` " version ", in the order of the file. `n` is the number of"
     print "corners, `P` the highest rank. In the tables of arguments the column *elements* is the size of an array, and"
-    print "*out* says that the function writes there. The [guide](guide.md) shows how to begin. The top of the header also"
-    print "states how exact results are, and when they are the same to the bit.\n"
+    print "*out* says that the function writes there. The [guide](guide.md) shows how to begin. The top of the header"
+    print "also states how exact results are, and when they are the same to the bit.\n"
     print contents "\n"
 }
 
