@@ -6,8 +6,8 @@
 #   ```sh             is run where these files are; what it prints last must be the ```text block that follows it
 . "$(dirname "$0")/harness.sh"
 build=$(absolute "$1") cc=$2 make=$3 tools=$4
-root=$PWD
 version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
+unset MAKEFLAGS MFLAGS MAKELEVEL PKG_CONFIG_PATH CMAKE_PREFIX_PATH # of the make that runs this test, and of the user
 
 files() {
     (cd "$work/root" && find . -type f | sort)
@@ -50,7 +50,6 @@ cp -p "$build/levelset" "$build/outlines" "$build/patic" "$build/surfmink" "$pag
 (cd "$page/surfmink" && git init -q && git add . &&
     git -c user.name=x -c user.email=x@example.org commit -q -m "a release" && git tag "v$version") > "$work/said" 2>&1
 check "a repository with a tag" "$?" 0
-unset PKG_CONFIG_PATH CMAKE_PREFIX_PATH MAKEFLAGS
 awk -v page="$page" '
     /^```/ && !inside {
         inside = 1
