@@ -98,10 +98,11 @@
        doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
        batches use the same instructions: none; SSE2; or AVX2, AVX-512 and NEON, which agree to the bit.
      Otherwise the last bits may differ; statuses do not. Batches and single calls, and different sets of vector
-     instructions, differ within ACCURACY. So do fused a*b+c, x87 with -std=c99, and rounding up, down or towards zero;
-     but batches in vector instructions lose half of their digits unless rounding is to nearest. -ffast-math, and x87
+     instructions, differ within ACCURACY; so do fused a*b+c, and x87 with -std=c99. Rounding up, down or towards zero
+     doubles that difference, but batches in vector instructions then lose half of their digits. -ffast-math, and x87
      without -std=c99, remove the digits beyond a double: mu_p is then good to 1e-14 (1 + c')^2, with c' =
-     (sum |alpha_i| + |2 pi - S|) / S. With -ffast-math NaN and infinity are not refused.
+     (sum |alpha_i| + |2 pi - S|) / S, and the area on a sphere to 1e-14 (1 + c')^2 R^2. With -ffast-math NaN and
+     infinity are not refused.
 
    docs/CHANGELOG.md has the history of versions, and the calls that replace those of 0.3. */
 #ifndef SURFMINK_H
