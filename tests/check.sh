@@ -250,7 +250,7 @@ all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
 singles=$(echo "$some" | sed 's|tests/test_batch.c ||')
 # what valgrind takes too long for, or whose long double has not the digits: test_gradient
-slow='batch|convergence|curve|gradient|long|measure|mesh|outlines|paper|surfaces'
+slow='batch|convergence|curve|gradient|grey|long|measure|mesh|outlines|paper|patic|statements|surfaces'
 quick=$(echo "$all" | tr ' ' '\n' | grep -vE "test_($slow)" | tr '\n' ' ')
 theorems() {
     programs=$1 fewer=$2 runner=$3
@@ -379,10 +379,10 @@ check "big-endian, the command: the same bytes as on arm64" "
 
 # --- static analysis --------------------------------------------------------------------------------------------------
 for unit in "$work/whole.c" examples/*.c; do
-    case $unit in examples/*) only=$declared ;; *) only= ;; esac
+    case $unit in examples/*) only=$declared configurations=--max-configs=4 ;; *) only= configurations=--force ;; esac
     check "clang-tidy, ${unit##*/}" "$(quietly "clang-tidy-14 --quiet $unit -- -std=c99 $only -I.")"
     check "cppcheck, ${unit##*/}" "
-        cppcheck -q --std=c99 --enable=warning,performance,portability --error-exitcode=1 --force \
+        cppcheck -q --std=c99 --enable=warning,performance,portability --error-exitcode=1 $configurations \
             --suppressions-list=.cppcheck $only -I. $unit"
 done
 check "gcc -fanalyzer, the header" "gcc -std=c99 -O1 -fanalyzer -I. -c $work/whole.c -o $here/unit.o"
@@ -476,10 +476,8 @@ check "every block of the documentation, with the programs it needs" "
 check "man pages: mandoc and groff find nothing" "mandoc -T lint -W warning docs/*.1 &&
     for page in docs/*.1; do groff -mandoc -Tutf8 -ww -z \$page; done"
 check "CITATION.cff is YAML" "/usr/bin/python3 -c 'import yaml; yaml.safe_load(open(\"docs/CITATION.cff\"))'"
-check "make install" "$(quietly "make -s install DESTDIR=$here/installed PREFIX=/usr")
-    PKG_CONFIG_PATH=$here/installed/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' &&
-    test -x $here/installed/usr/bin/surfmink && test -s $here/installed/usr/share/man/man1/surfmink.1 &&
-    test -s $here/installed/usr/share/man/man1/levelset.1"
+check "make install, and programs that find it: pkg-config, CMake, Meson" \
+    "$(quietly "sh tests/test_install.sh .build cc make --tools")"
 check "other languages: docs/languages.md, and the same story in each" \
     "$(quietly "sh tests/test_languages.sh .build/surfmink")"
 check "many machines: Open MPI and GNU parallel give the bytes of one run" "
