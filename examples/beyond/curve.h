@@ -622,9 +622,10 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
 {
     static const double safety = 2;       /* with it the estimates hold as often as docs/internals/beyond.md says */
     static const double rounding = 2e-14; /* of mu, over 1 + condition: docs/internals/beyond.md */
-    double noise = rounding * (1 + all->w.condition), phase = 2 * surfmink_curve__pi * all->sharpest / all->w.turning;
+    double noise = rounding * (1 + all->w.condition), phase = surfmink_curve__pi;
     double half, quarter, growth, twofold = -1, fourfold = -1;
     int p;
+    if (all->w.turning > 0) phase = 2 * surfmink_curve__pi * all->sharpest / all->w.turning;
     surfmink_curve__integrate(all, max_rank + 1, work->fine, NULL);
     work->fine[0] = 1;
     if (work->outline.n >= 12 && all->w.length > 0) /* every fourth corner makes a polygon */
