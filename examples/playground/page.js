@@ -167,7 +167,7 @@ function viewOfAll() {
   const size = bodySize(),
     on = engine.project(outline, middle) || cornerAt(0);
   const normal = unit(normalAt(on));
-  const small = reach < (outline.kind === "torus" ? 0.22 : 0.35) * size;
+  const small = reach < (outline.kind === "sphere" ? 0.45 : 0.22) * size;
   const eye =
     outline.kind === "torus" && !small ? plus(times(normal, 0.8), [0, 0, 1], 0.7) : plus(normal, [0.16, -0.1, 0.16]);
   const rows = lookFrom(eye);
@@ -596,7 +596,7 @@ function drawArrows() {
     pen.fillStyle = color.card;
     pen.strokeStyle = transport === "corrected" ? color.corrected : color.classical;
     for (let e = 0; e < m; e++) {
-      const t = (0.15 * size) / view.scale / longest;
+      const t = ((many ? 0.1 : 0.15) * size) / view.scale / longest;
       const way = toScreenWay(
         plus(times(at(found.base, 1), t * arrows[2 * e]), at(found.base, 2), t * arrows[2 * e + 1]),
       );
@@ -717,7 +717,7 @@ function mostOf(mu, corners = count()) {
 
 const value = (mu, p) => `<i>mu<sub>${p}</sub> = ${mu[p].toFixed(2)}</i>`;
 
-// { said, values }: the words, and the mu that they stand on.
+// The rank that decides, the words for it, and whether the outline is elongated besides.
 function verdictOf(mu, corners) {
   const p = mostOf(mu, corners),
     long = p > 2 && mu[p] >= ROUND && mu[2] >= ROUND;
@@ -729,7 +729,7 @@ function verdictOf(mu, corners) {
   else if (p === 2) said = mu[p] < ALMOST ? "elongated" : "very elongated";
   else if (mu[p] < ALMOST) said = "somewhat " + fold;
   else if (mu[p] < CLEAR) said = "almost " + noun;
-  return { said, values: ` (${value(mu, p)})` + (long ? `, elongated (${value(mu, 2)})` : "") };
+  return { p, said, long };
 }
 
 function writeBars() {
@@ -792,7 +792,8 @@ function dial(arrows, m, theta, mu, gap) {
         'stroke="var(--classical)" stroke-width="2" stroke-dasharray="3 3"/>',
     );
   }
-  const thin = count() > 24;
+  const thin = count() > 24,
+    lines = new Map(); // of very many arrows one path a colour, without heads: a drag shall not wait for the dials
   for (let e = 0; e < m; e++) {
     const size = Math.hypot(arrows[2 * e], arrows[2 * e + 1]),
       angle = Math.atan2(arrows[2 * e + 1], arrows[2 * e]);
@@ -800,6 +801,11 @@ function dial(arrows, m, theta, mu, gap) {
     const r = (72 * size) / longest,
       edge = e === count() ? outline.base : e,
       style = edgeColor(edge);
+    if (count() > 128) {
+      const shared = edgeColor(edge - (edge % Math.ceil(count() / 64)));
+      lines.set(shared, `${lines.get(shared) || ""}M0 0L${place(angle, r).join(" ")}`);
+      continue;
+    }
     const h = Math.min(11, 0.6 * r),
       [bx, by] = place(angle, r - 0.8 * h),
       turn = (-angle * 180) / Math.PI;
@@ -816,6 +822,7 @@ function dial(arrows, m, theta, mu, gap) {
       );
     }
   }
+  for (const [style, path] of lines) parts.push(`<path d="${path}" stroke="${style}" stroke-width="1.2"/>`);
   if (mu > 1e-9)
     for (let k = 0; k < rank; k++)
       parts.push(
@@ -860,11 +867,12 @@ function writeVerdict() {
     return;
   }
   const [one, other] = [verdictOf(found.mu), verdictOf(found.classical, cornersSeen(found.turning))];
-  const same = one.said === other.said && one.values === other.values;
+  const same = one.said === other.said && Math.abs(found.mu[one.p] - found.classical[other.p]) < 0.01;
   $("verdict").innerHTML =
-    `<span><em>This outline is </em><b class="corrected">${one.said}</b>${one.values}.</span> ` +
-    `<span>Classical<em> transport says</em>: ` +
-    (same ? "the same" : `<b class="classical">${other.said}</b>${other.values}`) +
+    `<span><em>This outline is </em><b class="corrected">${one.said}</b> (${value(found.mu, one.p)})` +
+    (one.long ? `<em>, elongated (${value(found.mu, 2)})</em>` : "") +
+    ".</span> <span>Classical<em> transport says</em>: " +
+    (same ? "the same" : `<b class="classical">${other.said}</b> (${value(found.classical, other.p)})`) +
     ".</span>";
 }
 
@@ -1067,6 +1075,7 @@ function load(text) {
   $("load-said").hidden = false;
   $("load-text").value = text.length > 100000 ? "" : text; // a field with megabytes is slow
   if (!$("load").open) $("load").showModal();
+  $("load").scrollTop = 0;
 }
 
 let later = 0;
@@ -1584,7 +1593,7 @@ $("open-help").addEventListener("click", () => $("help").showModal());
 $("open-load").addEventListener("click", () => {
   $("load-said").hidden = true;
   $("load").showModal();
-  $("load-text").focus();
+  $("load-text").focus({ preventScroll: true });
 });
 for (const button of document.querySelectorAll("[data-close]"))
   button.addEventListener("click", () => button.closest("dialog").close());

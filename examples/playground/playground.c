@@ -313,6 +313,7 @@ static int near_each_other(const double *a, const double *b, const double *c, co
         other += (d[k] - c[k]) * (d[k] - c[k]);
         apart += (a[k] + b[k] - c[k] - d[k]) * (a[k] + b[k] - c[k] - d[k]);
     }
+    if (apart > 2.5 * (one + other)) return 0; /* (x + y)^2 <= 2 (x^2 + y^2): most pairs need no root */
     return sqrt(apart) <= sqrt(one) + sqrt(other);
 }
 

@@ -115,7 +115,12 @@ function rightVerdict(mu, corners) {
   else if (x < 0.35) said = "slightly " + names[p][1];
   else if (x < 0.7) said = "somewhat " + names[p][1];
   else said = (x < 0.9 ? "almost " : "") + (p === 4 && long ? "a rectangle" : a(names[p][0]));
-  return `${said} (mu${p} = ${x.toFixed(2)})` + (long ? `, elongated (mu2 = ${mu[2].toFixed(2)})` : "");
+  return {
+    said,
+    mu: x,
+    value: ` (mu${p} = ${x.toFixed(2)})`,
+    also: long ? `, elongated (mu2 = ${mu[2].toFixed(2)})` : "",
+  };
 }
 
 // Is the verdict that of the numbers, for both transports? Returns what it says.
@@ -125,7 +130,10 @@ async function verdictIs(tab, name, wanted = "") {
   const list = (prefix) => Array.from({ length: 13 }, (_, p) => (p ? now[prefix + p] : 0));
   const one = rightVerdict(list("mu-"), corners),
     other = rightVerdict(list("classical-"), (corners * 2 * Math.PI) / now.turning);
-  const right = `This outline is ${one}. Classical transport says: ${one === other ? "the same" : other}.`;
+  const same = one.said === other.said && Math.abs(one.mu - other.mu) < 0.01;
+  const right =
+    `This outline is ${one.said}${one.value}${one.also}. ` +
+    `Classical transport says: ${same ? "the same" : other.said + other.value}.`;
   check(name + ": the verdict", said === right, [said, right]);
   if (wanted) check(`${name}: the verdict says ${wanted}`, said.startsWith(`This outline is ${wanted} (`), said);
   return said;
@@ -997,21 +1005,22 @@ for (const [width, height, window] of wanted("phone") ? phones : []) {
     await tab.tap(`[data-preset=${preset}]`);
     check(`${name}, ${preset}: verdict, bars and drawing are seen`, !(await seen()).length, await seen());
     const [x, y] = await cornerPlace(tab, 0);
-    const before = await tab.evaluate(() => [
-      document.getElementById("verdict").textContent,
-      [...document.querySelectorAll("#bars i")].map((bar) => bar.style.height).join(),
-    ]);
+    const state = () =>
+      tab.evaluate(() => [
+        document.getElementById("verdict").textContent,
+        [...document.querySelectorAll("#bars i")].map((bar) => bar.style.height).join(),
+        stage.getBoundingClientRect().top,
+      ]);
+    const before = await state();
     await touch("touchStart", [x, y]);
     for (let i = 1; i <= 6; i++) await touch("touchMove", [x + 10 * i, y + 4 * i]);
-    const during = await tab.evaluate(() => [
-      document.getElementById("verdict").textContent,
-      [...document.querySelectorAll("#bars i")].map((bar) => bar.style.height).join(),
-    ]);
+    const during = await state();
     check(
       `${name}, ${preset}: both change while the finger is down`,
       before[0] !== during[0] && before[1] !== during[1],
       during,
     );
+    check(`${name}, ${preset}: the drawing stays where it is`, before[2] === during[2], [before[2], during[2]]);
     check(`${name}, ${preset}: and all is still seen`, !(await seen()).length, await seen());
     const covered = await tab.evaluate(
       ([x, y]) => document.getElementById("bars").getBoundingClientRect().bottom > y,
