@@ -995,7 +995,7 @@ THEOREM(nonsense_is_refused_by_name_and_leaves_no_loops)
     field = field_of(&m, height);
     CHECK_EQUAL(mesh_level_set(&m, field, 0.5, MESH_BELOW, &loops, &error), MESH_BAD_ARGUMENT);
     prepare(&m);
-    CHECK_EQUAL(mesh_level_set(&m, field, 0.5, 2, &loops, &error), MESH_BAD_ARGUMENT);
+    CHECK_EQUAL(mesh_level_set(&m, field, 0.5, 8, &loops, &error), MESH_BAD_ARGUMENT);
     CHECK_EQUAL(mesh_level_set(&m, field, nan(""), MESH_BELOW, &loops, &error), MESH_NOT_FINITE);
     field[3] = HUGE_VAL;
     CHECK_EQUAL(mesh_level_set(&m, field, 0.5, MESH_BELOW, &loops, &error), MESH_NOT_FINITE);
