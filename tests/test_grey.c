@@ -448,6 +448,153 @@ THEOREM(what_a_loop_encloses_is_summed_over_parts)
         }
 }
 
+/* --- on a chart --------------------------------------------------------------------------------------------------- */
+
+enum { CHART = 61, PIXELS = CHART * CHART };
+
+typedef struct sphere_chart {
+    double height[PIXELS];
+    chart space;
+    image map, im;
+    grey g;
+} sphere_chart;
+
+/* The unit sphere about its north pole, stereographic, from above: column 30 and row 30 are the pole. Mirrored in x; and
+   folded behind a column, from which on it comes back. */
+static void chart_of_sphere(sphere_chart *s, int is_mirrored, int fold)
+{
+    static double planes[3 * PIXELS];
+    image_error error;
+    size_t k;
+    for (k = 0; k < PIXELS; ++k) {
+        int column = (int)(k % CHART);
+        double u, v = (30 - (double)(k / CHART)) / 25, square;
+        if (column > fold) column = 2 * fold - column;
+        u = ((double)column - 30) / 25 * (is_mirrored ? -1 : 1);
+        square = u * u + v * v;
+        planes[k] = 2 * u / (1 + square);
+        planes[PIXELS + k] = 2 * v / (1 + square);
+        s->height[k] = planes[2 * PIXELS + k] = (1 - square) / (1 + square);
+    }
+    image_of(&s->map, planes, CHART, 3 * CHART);
+    s->map.height = CHART;
+    s->map.channels = 3;
+    free(s->map.row);
+    CHECK(image_lay_rows(&s->map, 0, &error));
+    memset(&s->space, 0, sizeof s->space);
+    s->space.position = s->space.normal = &s->map; /* on the unit sphere a point is its normal */
+    memset(&s->g, 0, sizeof s->g);
+    s->g.im = &s->im;
+    s->g.space = &s->space;
+}
+
+static void cut_chart(sphere_chart *s, const double *number, double level, int how, contours *c)
+{
+    image_error error;
+    image_of(&s->im, number, CHART, CHART);
+    CHECK(grey_begin(&s->g, &error) && grey_level_set(&s->g, level, how, c, &error));
+    grey_free(&s->g);
+    image_free(&s->im);
+}
+
+/* Circles of latitude. Pixels are 0.08 apart at the pole: of a circle of radius r the chords between them cut off up to
+   0.4 (0.08 / r)^2, as measured. */
+THEOREM(a_cap_on_a_chart_is_round)
+{
+    static sphere_chart s;
+    int is_mirrored, flips, p;
+    double height;
+    for (is_mirrored = 0; is_mirrored < 2; ++is_mirrored)
+        for (flips = 0; flips < 2; ++flips)
+            for (height = -0.1; height < 0.9; height += 0.2) {
+                contours c;
+                surfmink_outline loop;
+                surfmink_functionals w;
+                double mu[RANKS + 1], within = 0.4 * 0.08 * 0.08 / (1 - height * height);
+                CASE("mirrored %d, flipped %d, height %g", is_mirrored, flips, height);
+                chart_of_sphere(&s, is_mirrored, CHART);
+                s.space.flips = flips;
+                cut_chart(&s, s.height, height, CONTOUR_ABOVE | CONTOUR_PARTS, &c);
+                CHECK_EQUAL(c.loops, 1);
+                loop = surfmink_embedded(c.corner, c.normal, corners_of(&c));
+                if (height > 0)
+                    CHECK_OK(surfmink_measure(&loop, RANKS, mu, NULL, &w, NULL));
+                else
+                    CHECK_STATUS(surfmink_measure(&loop, RANKS, mu, NULL, &w, NULL), SURFMINK_CLOCKWISE);
+                if (height > 0) {
+                    CHECK_CLOSE(w.length, 2 * PI * sqrt(1 - height * height), within);
+                    for (p = 1; p <= RANKS; ++p) CHECK_NEAR(mu[p], 0, 0.01);
+                }
+                CHECK_CLOSE(c.area, 2 * PI * (1 - height), within);
+                CHECK_NEAR(c.enclosed[0], c.area, 1e-12);
+                contours_free(&c);
+                image_free(&s.map);
+            }
+}
+
+/* Where the chart turns back the surface ends: a disc across it is two halves, which can be closed. */
+THEOREM(a_chart_ends_where_it_is_folded)
+{
+    static sphere_chart s;
+    static double number[PIXELS];
+    contours c;
+    size_t k;
+    int row, column;
+    for (k = 0; k < PIXELS; ++k) {
+        row = (int)(k / CHART) - 30;
+        column = (int)(k % CHART) - 40;
+        number[k] = hypot(row, column);
+    }
+    chart_of_sphere(&s, 0, 40);
+    cut_chart(&s, number, 7.3, CONTOUR_BELOW, &c);
+    CHECK_EQUAL(c.loops, 0);
+    CHECK_EQUAL(c.open, 2);
+    contours_free(&c);
+    cut_chart(&s, number, 7.3, CONTOUR_BELOW | CONTOUR_CLOSE | CONTOUR_PARTS, &c);
+    CHECK_EQUAL(c.loops, 2);
+    CHECK_EQUAL(c.closed, 2);
+    for (k = 0; k < c.loops; ++k) {
+        size_t n = c.start[k + 1] - c.start[k];
+        surfmink_outline half = surfmink_embedded(c.corner + 3 * c.start[k], c.normal + 3 * c.start[k], n);
+        CHECK_OK(surfmink_measure(&half, 6, NULL, NULL, NULL, NULL));
+        CHECK_CLOSE(c.enclosed[2 * k], c.area / 2, 1e-12);
+    }
+    CHECK(c.loops == 2 && c.part[0] != c.part[1]);
+    contours_free(&c);
+    for (k = 0; k < PIXELS; ++k) number[k] = hypot((double)(k / CHART) - 30, (double)(k % CHART) - 30);
+    cut_chart(&s, number, 7.3, CONTOUR_BELOW, &c); /* beside the fold it is whole */
+    CHECK_EQUAL(c.loops, 1);
+    CHECK_EQUAL(c.open, 0);
+    contours_free(&c);
+    image_free(&s.map);
+}
+
+/* A pixel without a position is a hole, as one without a value is. */
+THEOREM(what_has_no_place_is_a_hole)
+{
+    static sphere_chart s;
+    static double number[PIXELS];
+    contours c, want;
+    size_t hole = 30 * CHART + 33;
+    double none = (double)NAN;
+    chart_of_sphere(&s, 0, CHART);
+    memcpy(number, s.height, sizeof number);
+    number[hole] = none;
+    cut_chart(&s, number, 0.8, CONTOUR_ABOVE | CONTOUR_CLOSE | CONTOUR_PARTS, &want);
+    memcpy(s.map.bytes + s.map.row[0] + hole * sizeof none, &none, sizeof none);
+    cut_chart(&s, s.height, 0.8, CONTOUR_ABOVE | CONTOUR_CLOSE | CONTOUR_PARTS, &c);
+    CHECK_EQUAL(s.g.holes, 1);
+    CHECK_EQUAL(c.loops, 2);
+    CHECK_EQUAL(c.loops, want.loops);
+    CHECK_EQUAL(c.closed, 0);
+    CHECK_EQUAL(corners_of(&c), corners_of(&want));
+    if (corners_of(&c) == corners_of(&want)) CHECK_SAME(c.corner, want.corner, 3 * corners_of(&c));
+    CHECK_NEAR(c.area, want.area, 0);
+    contours_free(&c);
+    contours_free(&want);
+    image_free(&s.map);
+}
+
 int main(void)
 {
     PROVE(a_disc_is_round);
@@ -459,5 +606,8 @@ int main(void)
     PROVE(small_images_have_the_values_of_papaya2);
     PROVE(closed_loops_enclose_the_inside);
     PROVE(what_a_loop_encloses_is_summed_over_parts);
+    PROVE(a_cap_on_a_chart_is_round);
+    PROVE(a_chart_ends_where_it_is_folded);
+    PROVE(what_has_no_place_is_a_hole);
     return QED();
 }
