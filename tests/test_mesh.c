@@ -115,6 +115,11 @@ static double distance(const double *x)
     return hypot(x[0], x[1]);
 }
 
+static double quadrants(const double *x)
+{
+    return x[0] * x[1];
+}
+
 static double ring(const double *x)
 {
     return fabs(hypot(x[0], x[1]) - 0.6);
@@ -1327,6 +1332,12 @@ THEOREM(a_loop_that_does_not_separate_encloses_nothing)
     CHECK_EQUAL(loops.loops, 2);
     for (k = 0; k < 2 * loops.loops; ++k) CHECK(mesh__is_nan(loops.enclosed[k]));
     CHECK_EQUAL(loops.part[0], loops.part[1]);
+    mesh_free_loops(&loops);
+    free(field);
+    field = field_of(&m, quadrants);
+    cut(&m, field, 0.03, MESH_BELOW | CONTOUR_PARTS, &loops); /* a ring of four parts */
+    CHECK_EQUAL(loops.loops, 4);
+    for (k = 0; k < 2 * loops.loops; ++k) CHECK(mesh__is_nan(loops.enclosed[k]));
     mesh_free_loops(&loops);
     free(field);
     field = field_of(&m, x_of);
