@@ -1579,7 +1579,7 @@ run --help
 check "help: exit status" "$status" 0
 check "help leads with examples" "$(sed -n 3p out)" EXAMPLES
 for option in surface radius max-rank transport order error sharp smooth reverse merge digits directions json svg \
-    color-by view histogram scatter ply title unit id columns y-down normals parts repair crossings resample noise \
+    color-by strokes view histogram scatter ply title unit id columns y-down normals parts repair crossings resample noise \
     summary quiet help version; do
     has "help explains --$option" out "  --$option"
 done
@@ -1633,6 +1633,8 @@ wrong "--color-by takes at most 12 ranks" --color-by 1,1,1,1,1,1,1,1,1,1,1,1,1
 wrong "--color-by mu_7 needs --max-rank 7" --color-by mu_2,mu_7 --svg a.svg
 wrong "--color-by mu_7 needs --max-rank 7" --color-by mu_7 --svg a.svg
 wrong "--color-by is for pictures" --color-by mu_2
+wrong "--strokes is for pictures" --strokes across
+wrong "--strokes is along or across, not 'up'" --svg a.svg --strokes up
 wrong "--view is for pictures" --view 1,2
 wrong "--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '1'" --svg a.svg --view 1
 wrong "--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '0,0,0'" --svg a.svg --view 0,0,0

@@ -5,6 +5,7 @@
 #ifndef SURFMINK_COMMAND_MAP_H
 #define SURFMINK_COMMAND_MAP_H
 
+#include "../picture/strokes.h"
 #include "horizon.h"
 #include "svg.h"
 
@@ -23,7 +24,7 @@ enum {
 };
 
 /* What stands below the panels, from left to right, and in more rows where there is no room. */
-enum foot { FOOT_SCALE, FOOT_UNIT, FOOT_REFUSED, FOOT_STROKES, FOOT_ACROSS, FOOT_ITEMS };
+enum foot { FOOT_SCALE, FOOT_REFUSED, FOOT_STROKES, FOOT_ITEMS };
 
 typedef struct item {
     double width; /* pixels; 0: not shown */
@@ -60,7 +61,9 @@ typedef struct drawing {
     int foot_rows;
     double bar_length; /* of the scale; 0: there is none */
     horizon horizon;
-    points ring;
+    points ring, seen; /* of the outline that is being drawn: all of it that can be seen, ring after ring */
+    size_t *ring_end;  /* in `seen` */
+    size_t rings, ring_room;
 } drawing;
 
 /* --- colour ------------------------------------------------------------------------------------------------------- */
@@ -101,16 +104,27 @@ static void put_point(const drawing *d, char command, const double *view)
 }
 
 /* Points that fall together in the picture are left out: coastlines have many. */
-static void put_ring(const drawing *d, const points *ring)
+static void keep_ring(drawing *d, const points *ring)
 {
     size_t i, last = 0;
     for (i = 0; i < ring->n; ++i) {
         const double *x = ring->x + 3 * i, *previous = ring->x + 3 * last;
         if (i > 0 && hypot(x[0] - previous[0], x[1] - previous[1]) * d->scale < 0.05) continue;
-        put_point(d, i == 0 ? 'M' : 'L', x);
+        add_point(&d->seen, x);
         last = i;
     }
-    fputc('Z', d->file);
+    d->ring_end = (size_t *)grow(d->ring_end, &d->ring_room, d->rings + 1, sizeof *d->ring_end);
+    d->ring_end[d->rings++] = d->seen.n;
+}
+
+static void put_rings(const drawing *d)
+{
+    size_t ring, i = 0;
+    for (ring = 0; ring < d->rings; ++ring) {
+        size_t first = i;
+        for (; i < d->ring_end[ring]; ++i) put_point(d, i == first ? 'M' : 'L', d->seen.x + 3 * i);
+        fputc('Z', d->file);
+    }
 }
 
 /* --- size --------------------------------------------------------------------------------------------------------- */
@@ -234,7 +248,7 @@ static double bar_height(const drawing *d)
     return fmin(BAR_MOST, fmax(BAR_LEAST, panels_height(d) - BAR_ENDS));
 }
 
-/* Places what is shown in the foot. Parts of one thing stand close to each other, if they can. */
+/* Places what is shown in the foot. Each item stays in one piece: the page is made as wide as the widest. */
 static void lay_out_foot(drawing *d)
 {
     double x = MARGIN, gap;
@@ -243,7 +257,7 @@ static void lay_out_foot(drawing *d)
     d->foot_rows = 1;
     for (i = 0; i < FOOT_ITEMS; ++i) {
         if (d->foot[i].width <= 0) continue;
-        gap = x <= MARGIN ? 0 : i == FOOT_UNIT || i == FOOT_ACROSS ? 6 : 30;
+        gap = x <= MARGIN ? 0 : 30;
         if (x + gap + d->foot[i].width > d->page_width - MARGIN) {
             ++d->foot_rows;
             x = MARGIN;
@@ -258,15 +272,6 @@ static void lay_out_foot(drawing *d)
 static double foot_y(const drawing *d, enum foot i)
 {
     return d->page_height - MARGIN - 12 - FOOT_ROW * (d->foot_rows - 1 - d->foot[i].row);
-}
-
-/* The second part of a text of the foot goes on behind the first, or stands in the next row. */
-static void put_second_part(const drawing *d, enum foot i, const char *text)
-{
-    if (d->foot[i].width > 0 && d->foot[i].row == d->foot[i - 1].row) fprintf(d->file, " %s", text);
-    fputs("</text>\n", d->file);
-    if (d->foot[i].width > 0 && d->foot[i].row > d->foot[i - 1].row)
-        put_label(d->file, d->foot[i].x, foot_y(d, i) + 7, AT_START, text);
 }
 
 static void lay_out(drawing *d)
@@ -320,7 +325,7 @@ static void draw_sphere(const drawing *d)
 
 /* --- outlines ----------------------------------------------------------------------------------------------------- */
 
-/* The outline in view coordinates; of the sphere with points between the corners. */
+/* The outline in view coordinates, of the sphere with points between the corners, and what can be seen of it. */
 static void find_outline(drawing *d, const picture *g, const shape *s)
 {
     const double *corner = g->corner + 3 * s->first;
@@ -338,6 +343,9 @@ static void find_outline(drawing *d, const picture *g, const shape *s)
         find_pieces(&d->horizon);
     else
         d->horizon.pieces = 0;
+    d->seen.n = d->rings = 0;
+    if (d->horizon.pieces == 0) keep_ring(d, &d->horizon.outline);
+    while (d->horizon.pieces > 0 && next_ring(&d->horizon, &d->ring)) keep_ring(d, &d->ring);
 }
 
 /* Can anything of it be seen? */
@@ -383,8 +391,7 @@ static void thin_line(const drawing *d, const picture *g, const shape *s)
 static void draw_outline(drawing *d, const picture *g, const shape *s)
 {
     fputs("<path d=\"", d->file);
-    if (d->horizon.pieces == 0) put_ring(d, &d->horizon.outline);
-    while (d->horizon.pieces > 0 && next_ring(&d->horizon, &d->ring)) put_ring(d, &d->ring);
+    put_rings(d);
     if (s->status == SURFMINK_OK) {
         fputs("\" fill=\"", d->file);
         put_color(d->file, mu_here(d, g, s) / d->at->bar_top);
@@ -402,49 +409,71 @@ static const double *director_here(const drawing *d, const picture *g, const sha
     return g->director + 3 * ((size_t)map_colors(d->options) * (size_t)(s - g->shape) + (size_t)d->at->color);
 }
 
-/* How long the strokes of an outline are: longer where mu_p is larger (its root: small mu_p are common). 0 where they
-   could not be seen. */
-static double stroke_reach(const drawing *d, const picture *g, const shape *s)
+/* Strokes are as long as this part of the radius of a disc as large as the outline, unless that has no room for them:
+   how large mu_p is the colour says. */
+static const double STROKE_REACH = 0.6;
+
+/* There are none where mu_p is below this part of the end of its bar: the directions of hardly anything. */
+static const double STROKE_LEAST = 0.05;
+
+/* The strokes of the outline that find_outline has found, and their length in pixels; 0 where they could not be seen. */
+static double find_strokes(const drawing *d, const picture *g, const shape *s, strokes *to)
 {
     const double *director = director_here(d, g, s);
-    double reach = 0.65 * sqrt(s->area / 3.141592653589793 * mu_here(d, g, s) / d->at->bar_top);
-    if (dot(director, director) < 0.5 || reach * d->scale < 1.5 || dot(s->normal, d->at->camera.eye) < 0.15) return 0;
-    return reach;
+    double reach = STROKE_REACH * sqrt(s->area / 3.141592653589793), side[3], view[3];
+    rings outline;
+    size_t k;
+    if (dot(director, director) < 0.5 || dot(s->normal, d->at->camera.eye) < 0.15) return 0;
+    if (mu_here(d, g, s) < STROKE_LEAST * d->at->bar_top) return 0;
+    cross(s->normal, director, side);
+    to->p = d->at->rank;
+    to->first = is_along(d->options) ? 3.141592653589793 / to->p : 0;
+    to_view(&d->at->camera, s->centre, view);
+    for (k = 0; k < 2; ++k) to->middle[k] = view[k];
+    to_view(&d->at->camera, director, view);
+    for (k = 0; k < 2; ++k) to->axis[0][k] = reach * view[k];
+    to_view(&d->at->camera, side, view);
+    for (k = 0; k < 2; ++k) to->axis[1][k] = reach * view[k];
+    outline.point = d->seen.x;
+    outline.stride = 3;
+    outline.end = d->ring_end;
+    outline.count = d->rings;
+    reach *= d->scale * keep_strokes_inside(to, &outline);
+    return reach < 1.5 ? 0 : reach;
 }
 
-static void find_strokes(drawing *d, const picture *g)
+static void look_for_strokes(drawing *d, const picture *g)
 {
+    strokes found;
     size_t i;
     int k;
     for (k = 0; k < d->panels; ++k) {
         d->at = &d->panel[k];
-        for (i = 0; i < g->shapes && !d->panel[k].strokes; ++i)
-            d->panel[k].strokes = stroke_reach(d, g, &g->shape[i]) > 0;
+        for (i = 0; i < g->shapes && !d->panel[k].strokes; ++i) {
+            find_outline(d, g, &g->shape[i]);
+            if (faces_eye(d, g, &g->shape[i])) d->panel[k].strokes = find_strokes(d, g, &g->shape[i], &found) > 0;
+        }
     }
 }
 
-/* p strokes from the centre along the eigenvectors. Dark ones on a light ground, and light ones on a dark one. */
+/* p strokes from the centre along the eigenvectors. */
 static void draw_glyph(const drawing *d, const picture *g, const shape *s)
 {
-    const double *director = director_here(d, g, s);
-    int k, p = d->at->rank;
-    double mu = mu_here(d, g, s), reach = stroke_reach(d, g, s);
-    double side[3], end[3], view[3], angle;
-    size_t j;
+    strokes found;
+    double reach = find_strokes(d, g, s, &found), step[2], end[2];
+    int k, color[3];
     if (reach <= 0) return;
-    cross(s->normal, director, side);
     fputs("<path fill=\"none\" stroke-linecap=\"round\" d=\"", d->file);
-    for (k = 0; k < p; ++k) {
-        angle = 6.283185307179586 * k / p;
-        for (j = 0; j < 3; ++j) end[j] = s->centre[j] + reach * (cos(angle) * director[j] + sin(angle) * side[j]);
-        to_view(&d->at->camera, s->centre, view);
-        put_point(d, 'M', view);
-        to_view(&d->at->camera, end, view);
-        put_point(d, 'L', view);
+    for (k = 0; k < found.p; ++k) {
+        stroke_step(&found, k, step);
+        end[0] = found.middle[0] + step[0];
+        end[1] = found.middle[1] + step[1];
+        put_point(d, 'M', found.middle);
+        put_point(d, 'L', end);
     }
-    fprintf(d->file, "\" stroke=\"%s\" stroke-width=\"", mu < 0.62 * d->at->bar_top ? "#fff" : "#2b2161");
-    put_pixels(d->file,
-               fmax(0.5, fmin(2.2, 0.13 * reach * d->scale) * fmin(1, 1.5 * dot(s->normal, d->at->camera.eye))));
+    find_color(mu_here(d, g, s) / d->at->bar_top, color);
+    fprintf(d->file, "\" stroke=\"%s\" stroke-width=\"", ink_on(color));
+    put_pixels(d->file, fmax(0.5, fmin(2.2, 0.13 * reach) * fmin(1, 1.5 * dot(s->normal, d->at->camera.eye))));
     fputs("\"/>\n", d->file);
 }
 
@@ -480,15 +509,13 @@ static void draw_shapes(drawing *d, const picture *g)
 {
     depth *order = sort_shapes(d, g);
     size_t i;
-    int glyphs_last = g->surface != EMBEDDED; /* over all outlines, unless a nearer one has to hide them */
     for (i = 0; i < g->shapes; ++i) {
         const shape *s = &g->shape[order[i].shape];
         find_outline(d, g, s);
         if (!faces_eye(d, g, s)) continue;
         draw_outline(d, g, s);
-        if (!glyphs_last) draw_glyph(d, g, s);
+        draw_glyph(d, g, s);
     }
-    for (i = 0; i < g->shapes && glyphs_last; ++i) draw_glyph(d, g, &g->shape[i]);
     free(order);
 }
 
@@ -543,8 +570,13 @@ static void draw_bar_below(const drawing *d)
 
 /* --- below the panels --------------------------------------------------------------------------------------------- */
 
-static const char scale_unit[] = "(units of the corners)", scale_unit_of_sphere[] = "(units of the radius)";
-static const char across_the_sides[] = "across the long sides";
+/* What the scale bar is in where --unit does not say. */
+static const char *scale_unit(const drawing *d, const picture *g)
+{
+    return d->options->unit       ? d->options->unit
+           : g->surface == SPHERE ? "(units of the radius)"
+                                  : "(units of the corners)";
+}
 
 /* On a sphere without a radius what can be said is how far the lines of the grid are apart. */
 static int has_grid(const drawing *d, const picture *g)
@@ -568,6 +600,21 @@ static int strokes_shown(const drawing *d)
     return shown;
 }
 
+/* Where they point. */
+static const char *stroke_words(const drawing *d)
+{
+    int i, elongation = 0, others = 0;
+    for (i = 0; i < map_colors(d->options); ++i) {
+        if (!has_strokes(d, i)) continue;
+        if (map_color(d->options, i) == 2)
+            elongation = 1;
+        else
+            others = 1;
+    }
+    if (!is_along(d->options)) return others ? "across the sides" : "across the long axis";
+    return !others ? "along the long axis" : elongation ? "along the long axis, towards corners" : "towards corners";
+}
+
 static double pixels_of_unit(const drawing *d, const picture *g)
 {
     return d->scale / (g->surface == SPHERE ? d->options->radius : 1);
@@ -586,25 +633,21 @@ enum { SAMPLE_WIDTH = 36, BAR_TO_TEXT = 12, SQUARE_TO_TEXT = 9 };
 /* What there is to say, and how wide it is. The length of the scale is about a fifth of a panel. */
 static void find_foot(drawing *d, const picture *g)
 {
-    const char *unit = d->options->unit;
     char text[32];
     int shown = strokes_shown(d);
     if (g->corners > 0 && !has_grid(d, g)) {
         d->bar_length = round_step(0.25 * d->width / pixels_of_unit(d, g));
         write_scale(d, g, text);
-        d->foot[FOOT_SCALE].width = d->bar_length * pixels_of_unit(d, g) + BAR_TO_TEXT + text_width(text);
-        if (unit)
-            d->foot[FOOT_SCALE].width += text_width(" ") + text_width(unit);
-        else
-            d->foot[FOOT_UNIT].width = text_width(g->surface == SPHERE ? scale_unit_of_sphere : scale_unit);
+        d->foot[FOOT_SCALE].width = d->bar_length * pixels_of_unit(d, g) + BAR_TO_TEXT + text_width(text) +
+                                    text_width(" ") + text_width(scale_unit(d, g));
     } else if (g->corners > 0 && g->area <= 10) { /* above, almost 4 pi, nothing of the grid can be seen */
         write_scale(d, g, text);
         d->foot[FOOT_SCALE].width = text_width(text);
     }
     if (g->measured < g->shapes) d->foot[FOOT_REFUSED].width = BAR_WIDTH + SQUARE_TO_TEXT + text_width("refused");
     if (shown == 0) return;
-    d->foot[FOOT_STROKES].width = SAMPLE_WIDTH * shown + SQUARE_TO_TEXT + text_width("directions of mu:");
-    d->foot[FOOT_ACROSS].width = text_width(across_the_sides);
+    d->foot[FOOT_STROKES].width =
+        SAMPLE_WIDTH * shown + SQUARE_TO_TEXT + text_width("directions of mu: ") + text_width(stroke_words(d));
 }
 
 static void draw_refused(const drawing *d)
@@ -636,19 +679,20 @@ static void draw_scale(const drawing *d, const picture *g)
     fputs("<g fill=\"#222\">", d->file);
     begin_text(d->file, x + length, y + 7, AT_START, "");
     fputs(text, d->file);
-    if (d->options->unit && !has_grid(d, g)) {
+    if (!has_grid(d, g)) {
         fputc(' ', d->file);
-        put_text(d->file, d->options->unit, IN_XML);
+        put_text(d->file, scale_unit(d, g), IN_XML);
     }
-    put_second_part(d, FOOT_UNIT, g->surface == SPHERE ? scale_unit_of_sphere : scale_unit);
-    fputs("</g>\n", d->file);
+    fputs("</text></g>\n", d->file);
 }
 
-/* An outline with its strokes about (x, y): a rectangle for p = 2, else a regular polygon. */
+/* An outline with its strokes about (x, y): a rectangle that lies for p = 2, else a regular polygon with a side at the
+   right. */
 static void draw_sample(const drawing *d, int p, double x, double y)
 {
-    double angle;
-    int k;
+    int is_way_to_corner = is_along(d->options) || p == 1, k;
+    double angle, first = p == 2 ? 1.5707963267948966 : 0, reach;
+    reach = 0.75 * (p == 2 ? (is_way_to_corner ? 14 : 6) : 13 * (is_way_to_corner ? 1 : cos(3.141592653589793 / p)));
     fputs("<path d=\"", d->file);
     for (k = 0; k < (p == 2 ? 4 : p) && p > 1; ++k) {
         angle = 3.141592653589793 * (2 * k + 1) / p; /* the middle of a side is at the right */
@@ -658,17 +702,18 @@ static void draw_sample(const drawing *d, int p, double x, double y)
         put_pixels(d->file, p == 2 ? y + (k < 2 ? 6 : -6) : y + 13 * sin(angle));
     }
     if (p > 1) fputc('Z', d->file);
+    if (is_along(d->options)) first += 3.141592653589793 / p;
     fputs("\"/><path stroke-width=\"2.2\" d=\"", d->file);
     for (k = 0; k < p; ++k) {
-        angle = 6.283185307179586 * k / p + (p == 2 ? 1.5707963267948966 : 0);
+        angle = first + 6.283185307179586 * k / p;
         fputc('M', d->file);
         put_pixels(d->file, x);
         fputc(' ', d->file);
         put_pixels(d->file, y);
         fputc('L', d->file);
-        put_pixels(d->file, x + 10 * cos(angle));
+        put_pixels(d->file, x + reach * cos(angle));
         fputc(' ', d->file);
-        put_pixels(d->file, y + 10 * sin(angle));
+        put_pixels(d->file, y + reach * sin(angle));
     }
     fputs("\"/>\n", d->file);
 }
@@ -689,9 +734,7 @@ static void draw_stroke_key(const drawing *d)
     begin_text(d->file, x + SQUARE_TO_TEXT, y + 7, AT_START, "");
     fputs(shown == 1 && rank < 3 ? "direction of " : "directions of ", d->file);
     put_mu(d->file, shown == 1 ? rank : 0);
-    fputs("<tspan dy=\"-5\">:</tspan>", d->file);
-    put_second_part(d, FOOT_ACROSS, across_the_sides);
-    fputs("</g>\n", d->file);
+    fprintf(d->file, "<tspan dy=\"-5\">: %s</tspan></text></g>\n", stroke_words(d));
 }
 
 static void define_fills(const drawing *d)
@@ -746,10 +789,13 @@ static void begin_map(const drawing *d, const picture *g)
     }
     fputc('.', d->file);
     if (strokes_shown(d) > 0)
-        fputs(
-            " Strokes: eigenvectors of the positive eigenvalue at the middle of each outline, which cross its longest "
-            "sides, longer where mu_p is larger.",
-            d->file);
+        fprintf(
+            d->file,
+            " Strokes: eigenvectors of the %s eigenvalue at the middle of each outline, %s; as long as there is room, "
+            "none where mu_p is below %d %% of the end of its bar.",
+            is_along(d->options) ? "negative" : "positive",
+            is_along(d->options) ? "along its long axis and towards its corners" : "across its longest sides",
+            (int)(100 * STROKE_LEAST + 0.5));
     fputs(" Drawn by surfmink " SURFMINK_VERSION ".", d->file);
     end_description(d->file, d->page_width, d->options);
     define_fills(d);
@@ -845,7 +891,7 @@ static void write_map(const picture *g, const options *o)
     memset(&d, 0, sizeof d);
     d.options = o;
     place_panels(&d, g);
-    find_strokes(&d, g);
+    look_for_strokes(&d, g);
     find_foot(&d, g);
     lay_out(&d);
     d.file = open_page(o->svg);
@@ -859,6 +905,8 @@ static void write_map(const picture *g, const options *o)
     close_page(d.file, o->svg);
     free_horizon(&d.horizon);
     free(d.ring.x);
+    free(d.seen.x);
+    free(d.ring_end);
 }
 
 #endif

@@ -15,6 +15,7 @@ enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
 enum reverse { REVERSE_AUTO, REVERSE_ALWAYS, REVERSE_NEVER };
 enum crossings { CROSSINGS_AUTO, CROSSINGS_ALWAYS, CROSSINGS_NEVER };
 enum directions { NO_DIRECTIONS, AT_FIRST_EDGE, AT_CENTER };
+enum strokes_of { STROKES_ALONG, STROKES_ACROSS, STROKES_NOT_GIVEN };
 
 /* Panels of a picture. */
 enum { MOST_COLORS = 12, MOST_VIEWS = 6 };
@@ -57,6 +58,7 @@ typedef struct options {
     const char *svg, *histogram, *scatter, *ply; /* NULL: none */
     int color_by[MOST_COLORS];                   /* ranks that fill the picture */
     int colors;                                  /* how many of them; 0: not given */
+    int strokes;                                 /* of enum strokes_of */
     viewpoint view[MOST_VIEWS];
     int views; /* 0: not given */
     const char *title, *unit;
@@ -65,6 +67,12 @@ typedef struct options {
     const char **file;
     size_t files;
 } options;
+
+/* The strokes of pictures: along the eigenvectors of -lambda_p, as the paper draws them, or across those. */
+static int is_along(const options *o)
+{
+    return o->strokes != STROKES_ACROSS;
+}
 
 static void usage_error(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
 static void usage_error(const char *format, ...)
@@ -180,8 +188,10 @@ static const char *const help_text[] = {
     "  --version\n"
     "\n",
     "PICTURES (options, too; all of them keep what they draw in memory)\n"
-    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p directions at the centre, which\n"
-    "                         cross the longest sides (so those of mu_2 lie across it), longer for larger mu_p\n"
+    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p directions of each at its centre\n"
+    "  --strokes along|across            along (default): for mu_2 along the long axis, for mu_3, mu_4, ... towards\n"
+    "                         corners. across: across the sides, as theta_p and --directions. None where mu_p is\n"
+    "                         below 5 % of the end of its bar\n"
     "  --histogram FILE       draws how many outlines have which mu_1 ... mu_P, or those of --color-by; 12 at most\n"
     "  --scatter FILE         draws mu_P over mu_2 of each outline, or the first two of --color-by\n"
     "  --color-by mu_p,mu_q   which mu_p (or only p), default mu_2; several: a panel and a bar for each\n"
@@ -358,6 +368,7 @@ enum option {
     OPTION_SCATTER,
     OPTION_PLY,
     OPTION_COLOR_BY,
+    OPTION_STROKES,
     OPTION_VIEW,
     OPTION_TITLE,
     OPTION_UNIT,
@@ -382,10 +393,10 @@ enum option {
 
 /* In this order. */
 static const char *const option_name[OPTIONS] = {
-    "surface", "radius",  "max-rank",  "transport", "order",     "sharp",      "noise",  "smooth", "reverse",
-    "digits",  "svg",     "histogram", "scatter",   "ply",       "color-by",   "view",   "title",  "unit",
-    "id",      "columns", "normals",   "resample",  "crossings", "directions", "merge",  "parts",  "repair",
-    "y-down",  "error",   "json",      "summary",   "quiet",     "help",       "version"};
+    "surface", "radius", "max-rank",  "transport", "order",    "sharp",     "noise",      "smooth", "reverse",
+    "digits",  "svg",    "histogram", "scatter",   "ply",      "color-by",  "strokes",    "view",   "title",
+    "unit",    "id",     "columns",   "normals",   "resample", "crossings", "directions", "merge",  "parts",
+    "repair",  "y-down", "error",     "json",      "summary",  "quiet",     "help",       "version"};
 
 static void set_option(options *o, int option, const char *value)
 {
@@ -396,6 +407,7 @@ static void set_option(options *o, int option, const char *value)
     static const char *const places[] = {"edge", "center", "centre"};
     static const char *const estimates[] = {"estimate", "given"};
     static const char *const extents[] = {"auto", "always", "never"};
+    static const char *const ways[] = {"along", "across"};
     static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
     const char *name = option_name[option];
     switch (option) {
@@ -415,6 +427,7 @@ static void set_option(options *o, int option, const char *value)
     case OPTION_SCATTER: o->scatter = value; break;
     case OPTION_PLY: o->ply = value; break;
     case OPTION_COLOR_BY: parse_color_by(o, value); break;
+    case OPTION_STROKES: o->strokes = parse_choice(name, value, ways, 2); break;
     case OPTION_VIEW: parse_view(o, value); break;
     case OPTION_TITLE: o->title = value; break;
     case OPTION_UNIT: o->unit = value; break;
@@ -554,6 +567,7 @@ static void check_options(options *o)
     }
     if (!o->svg && !o->histogram && !o->scatter && !o->ply && o->colors > 0)
         usage_error("--color-by is for pictures: add --svg FILE");
+    if (!o->svg && o->strokes != STROKES_NOT_GIVEN) usage_error("--strokes is for pictures: add --svg FILE");
     if (!o->svg && o->views > 0) usage_error("--view is for pictures: add --svg FILE");
     if (!o->svg && !o->histogram && !o->scatter && o->title) usage_error("--title is for pictures: add --svg FILE");
     if (!o->svg && o->unit) usage_error("--unit is for pictures: add --svg FILE");
@@ -587,6 +601,7 @@ static void parse_options(options *o, int argc, char **argv)
     o->transport = SURFMINK_CORRECTED;
     o->order = 2;
     o->reverse = REVERSE_NEVER;
+    o->strokes = STROKES_NOT_GIVEN;
     o->digits = 17;
     o->file = (const char **)resize(NULL, (size_t)argc + 1, sizeof *o->file);
     while (i < argc) {

@@ -33,6 +33,27 @@ static inline void put_color(FILE *file, double fraction)
     fprintf(file, "#%02x%02x%02x", (unsigned)part[0], (unsigned)part[1], (unsigned)part[2]);
 }
 
+/* The share of the light that a part of a colour sends, as the Web Content Accessibility Guidelines define it. */
+static inline double luminance(const int part[3])
+{
+    static const double weight[3] = {0.2126, 0.7152, 0.0722};
+    double sum = 0, share;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        share = part[k] / 255.0;
+        sum += weight[k] * (share <= 0.04045 ? share / 12.92 : pow((share + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+/* What shows best on a colour: white, or the darkest colour of the map. Their contrast, (lighter + 0.05) / (darker +
+   0.05), is at least 3.75 on any colour; the guidelines ask for 3. */
+static inline const char *ink_on(const int part[3])
+{
+    double light = luminance(part) + 0.05, dark = luminance(color_map[0]) + 0.05;
+    return light * light > 1.05 * dark ? "#2b2161" : "#fff";
+}
+
 /* --- numbers ------------------------------------------------------------------------------------------------------ */
 
 /* Two decimals, without what can be left out, and never -0. */
