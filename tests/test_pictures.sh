@@ -370,7 +370,7 @@ done
 check "bars are as high as their counts, mu_3 for example" "$(
     awk '/<g fill="#5b7fa6"/ { ++panel } panel == 3 && /<\/title><\/rect>/ { print }' a.svg |
         sed -n 's/.* height="\([0-9.]*\)"><title>.*: \([0-9]*\)<.*/\1 \2/p' |
-        awk '{ d = $1 - 210 / 80 * $2; if (d * d > 1e-4) ++bad } END { print NR, bad + 0 }')" "$(
+        awk '{ d = $1 - 260 / 80 * $2; if (d * d > 1e-4) ++bad } END { print NR, bad + 0 }')" "$(
     column mu_3 | awk '{ n[int(20 * $1)] } END { for (k in n) ++bins; print bins, 0 }')"
 # marks FILE: where they are, and of which count.
 marks() {
@@ -379,23 +379,23 @@ marks() {
 check "bars too low to be seen are marked with their count, and no others" "$(marks a.svg | awk '{ print $2 }')" "$(
     awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ {
         h = $0; sub(/.* height="/, "", h); sub(/".*/, "", h)
-        sub(/.*: /, ""); sub(/<.*/, ""); if (h + 0 < 2) print }' a.svg)"
+        sub(/.*: /, ""); sub(/<.*/, ""); if (h + 0 < 3) print }' a.svg)"
 awk 'BEGIN { print "c x y"
     for (i = 0; i < 400; ++i) printf "b%d 0 0\nb%d 1 0\nb%d 1 1\nb%d 0 1\n", i, i, i, i
     print "t 0 0\nt 2 0\nt 1 1.7320508075688772" }' > in
-run --histogram a.svg --color-by 3
+run --histogram a.svg --histogram-of 3
 check "one triangle among 400 squares is found" "$(marks a.svg)" "439.75 1"
-run --histogram a.svg --color-by 3,4
+run --histogram a.svg --histogram-of 3,4
 check "in both panels" "$(marks a.svg | wc -l | tr -d ' ')" 2
 # Twelve triangles of two kinds, in bins that touch: counts of two digits read upwards, not into each other.
 awk 'BEGIN { print "c x y"
     for (i = 0; i < 4000; ++i) printf "b%d 0 0\nb%d 1 0\nb%d 1 1\nb%d 0 1\n", i, i, i, i
     for (i = 0; i < 24; ++i) printf "t%d 0 0\nt%d 2 0\nt%d 1 %s\n", i, i, i, i < 12 ? "1.7320508" : "1.25" }' > in
-run --histogram a.svg --color-by 3
+run --histogram a.svg --histogram-of 3
 check "counts side by side read upwards" "$(marks a.svg | awk '{ print $2 }' | tr '\n' ' ')$(
     grep -A 1 'l-4 -8h8Z' a.svg | grep -c 'rotate(-90)')" "12 12 2"
-run four.tsv --histogram a.svg --color-by 3,2 --quiet
-check "the ranks that were asked for; what is refused is not counted" "$(counts a.svg)" "3 3 "
+run four.tsv --histogram a.svg --histogram-of 3,2 --quiet
+check "the columns that were asked for; what is refused is not counted" "$(counts a.svg)" "3 3 "
 has "but told" a.svg "1 outlines were refused"
 run four.tsv --histogram a.svg --max-rank 20 --quiet
 check "no more than twelve" "$(counts a.svg | wc -w | tr -d ' ')" 12
@@ -422,7 +422,7 @@ want=$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
     { ++n; x = $at["mu_2"]; y = $at["mu_6"]; sx += x; sy += y; sxx += x * x; sxy += x * y; syy += y * y }
     END { printf "%.2f", (n * sxy - sx * sy) / sqrt((n * sxx - sx * sx) * (n * syy - sy * sy)) }' out)
 has "correlation" a.svg " = $want</text>"
-run "$data/tissue.tsv" --scatter a.svg --color-by mu_5,mu_3
+run "$data/tissue.tsv" --scatter a.svg --scatter-of mu_5,mu_3
 near_lists "other ranks" "$(points a.svg | awk '{ print ($1 - 110) / 560 }')" "$(column mu_5)" 2e-5
 near_lists "other ranks, upwards" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_3)" 2e-5
 run shapes.tsv --scatter a.svg --max-rank 2

@@ -1,7 +1,7 @@
 /* map.h - step 5 of the command, if asked for: the shapes of a picture -> a picture of them, in one panel or several.
 
-   Panels differ in the rank that fills the outlines and in where they are seen from. All have the same scale. Each rank
-   has its own colours, for some are always smaller than others: one bar at the right, or one below each panel. */
+   Panels differ in the column that fills the outlines and in where they are seen from. All have the same scale. Each
+   column has its own colours, for some are always smaller than others: one bar at the right, or one below each panel. */
 #ifndef SURFMINK_COMMAND_MAP_H
 #define SURFMINK_COMMAND_MAP_H
 
@@ -24,7 +24,7 @@ enum {
 };
 
 /* What stands below the panels, from left to right, and in more rows where there is no room. */
-enum foot { FOOT_SCALE, FOOT_REFUSED, FOOT_STROKES, FOOT_ITEMS };
+enum foot { FOOT_SCALE, FOOT_REFUSED, FOOT_UNDEFINED, FOOT_STROKES, FOOT_ITEMS };
 
 typedef struct item {
     double width; /* pixels; 0: not shown */
@@ -35,13 +35,14 @@ typedef struct item {
 /* One panel. */
 typedef struct panel {
     camera camera;
-    int color; /* which of the ranks */
-    int rank;  /* p */
+    int color; /* which of the columns */
+    int rank;  /* of its strokes; 0: it has none */
+    range range;
+    double mu_top; /* of the rank; strokes are left out where mu_p is a small part of it */
     int view;
     double least[2], most[2]; /* what is drawn, in view coordinates */
     double width, height;     /* pixels */
     double left, top;         /* pixels, of its upper left corner */
-    double bar_top, bar_tick; /* of the colour bar */
     int whole_sphere;
     int strokes; /* can any be seen? */
 } panel;
@@ -81,6 +82,35 @@ static double color_top(const picture *g, const options *o, int p, double *tick)
     for (k = 0; k < 8 && most > top[k][0]; ++k) continue;
     *tick = top[k][1];
     return top[k][0];
+}
+
+/* What the colours of a panel stand for. */
+static range color_range(const picture *g, const options *o, int color)
+{
+    const quantity *q = &o->color_by.of[color];
+    range r = {0, 1, 1, 0};
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    size_t i;
+    if (is_of(q, "theta")) return range_of_theta(q->rank);
+    if (is_of(q, "mu")) {
+        r.high = color_top(g, o, q->rank, &r.step);
+        return r;
+    }
+    for (i = 0; i < g->shapes; ++i) {
+        double value = value_of(g, o, i, color);
+        if (g->shape[i].status != SURFMINK_OK || isnan(value)) continue;
+        least = fmin(least, value);
+        most = fmax(most, value);
+    }
+    return range_of_values(least, most);
+}
+
+/* Of a value; grey if it is undefined. */
+static void find_value_color(const range *r, double value, int color[3])
+{
+    int k;
+    for (k = 0; k < 3; ++k) color[k] = 200;
+    if (!isnan(value)) find_color_in(r->turn ? turn_map : color_map, (value - r->low) / (r->high - r->low), color);
 }
 
 /* --- points ------------------------------------------------------------------------------------------------------- */
@@ -193,7 +223,7 @@ static void place_panels(drawing *d, const picture *g)
 {
     const options *o = d->options;
     int views = o->views > 0 ? o->views : 1, colors = map_colors(o), i;
-    double longest = 0;
+    double longest = 0, tick;
     d->panels = views * colors;
     d->columns = views > 1 && colors > 1 ? colors : d->panels == 4 ? 2 : d->panels < 3 ? d->panels : 3;
     d->rows = (d->panels + d->columns - 1) / d->columns;
@@ -201,10 +231,11 @@ static void place_panels(drawing *d, const picture *g)
     for (i = 0; i < d->panels; ++i) {
         panel *p = &d->panel[i];
         p->color = i % colors;
-        p->rank = map_color(o, p->color);
+        p->rank = map_rank(o, p->color);
         p->view = i / colors;
         p->camera = camera_of(g, o, i / colors);
-        p->bar_top = color_top(g, o, p->rank, &p->bar_tick);
+        p->range = color_range(g, o, p->color);
+        p->mu_top = p->rank > 0 ? color_top(g, o, p->rank, &tick) : 1;
         longest = fmax(longest, find_extent(p, g));
     }
     d->scale = d->size / longest;
@@ -360,13 +391,28 @@ static double mu_here(const drawing *d, const picture *g, const shape *s)
     return mu_of(g, d->options, (size_t)(s - g->shape), d->at->rank);
 }
 
+static double value_here(const drawing *d, const picture *g, const shape *s)
+{
+    return value_of(g, d->options, (size_t)(s - g->shape), d->at->color);
+}
+
 static void put_tooltip(const drawing *d, const picture *g, const shape *s)
 {
+    const quantity *q = &d->options->color_by.of[d->at->color];
+    double value = value_here(d, g, s);
+    char text[32];
     fputs("<title>", d->file);
     put_text(d->file, g->text + s->id, IN_XML);
     if (s->status == SURFMINK_OK) {
-        fprintf(d->file, ": mu_%d = ", d->at->rank);
-        put_decimals(d->file, mu_here(d, g, s), 4);
+        fputs(": ", d->file);
+        put_text(d->file, q->name, IN_XML);
+        fputs(" = ", d->file);
+        if (is_of(q, "mu"))
+            put_decimals(d->file, value, 4);
+        else if (isnan(value))
+            fputs("undefined", d->file);
+        else
+            fwrite(text, 1, (size_t)(write_number(NULL, text, 5, value) - text), d->file);
     } else
         fprintf(d->file, ": %s", status_name(s->status));
     fputs("</title>", d->file);
@@ -390,11 +436,13 @@ static void thin_line(const drawing *d, const picture *g, const shape *s)
 
 static void draw_outline(drawing *d, const picture *g, const shape *s)
 {
+    int color[3];
     fputs("<path d=\"", d->file);
     put_rings(d);
     if (s->status == SURFMINK_OK) {
         fputs("\" fill=\"", d->file);
-        put_color(d->file, mu_here(d, g, s) / d->at->bar_top);
+        find_value_color(&d->at->range, value_here(d, g, s), color);
+        put_color(d->file, color);
         fputs("\"", d->file);
     } else
         fputs("\" fill=\"url(#refused)\" stroke=\"#8a8a8a\"", d->file);
@@ -424,7 +472,7 @@ static double find_strokes(const drawing *d, const picture *g, const shape *s, s
     rings outline;
     size_t k;
     if (dot(director, director) < 0.5 || dot(s->normal, d->at->camera.eye) < 0.15) return 0;
-    if (mu_here(d, g, s) < STROKE_LEAST * d->at->bar_top) return 0;
+    if (mu_here(d, g, s) < STROKE_LEAST * d->at->mu_top) return 0;
     cross(s->normal, director, side);
     to->p = d->at->rank;
     to->first = is_along(d->options) ? 3.141592653589793 / to->p : 0;
@@ -471,7 +519,7 @@ static void draw_glyph(const drawing *d, const picture *g, const shape *s)
         put_point(d, 'M', found.middle);
         put_point(d, 'L', end);
     }
-    find_color(mu_here(d, g, s) / d->at->bar_top, color);
+    find_value_color(&d->at->range, value_here(d, g, s), color);
     fprintf(d->file, "\" stroke=\"%s\" stroke-width=\"", ink_on(color));
     put_pixels(d->file, fmax(0.5, fmin(2.2, 0.13 * reach) * fmin(1, 1.5 * dot(s->normal, d->at->camera.eye))));
     fputs("\"/>\n", d->file);
@@ -521,26 +569,37 @@ static void draw_shapes(drawing *d, const picture *g)
 
 /* --- beside the panels -------------------------------------------------------------------------------------------- */
 
+static void set_ticks(axis *a, const range *r)
+{
+    a->ticks = range_ticks(r);
+    a->step = r->step;
+    a->from = r->low;
+    a->turn = r->turn;
+}
+
 static void draw_bar(const drawing *d)
 {
     const panel *p = &d->panel[0];
+    const quantity *q = &d->options->color_by.of[p->color];
     double x = MARGIN + panels_width(d) + BAR_GAP, height = bar_height(d);
     double y = MARGIN + title_space(d->options) + d->shift + (panels_height(d) + 36 - height) / 2;
-    axis a = {BAR_WIDTH, 0, 0, 'v', 6, {11, 7}, AT_START, 0, 1, 0};
+    axis a = {BAR_WIDTH, 0, 0, 'v', 6, {11, 7}, AT_START, 0, 1, 0, 0, 0};
     a.y = height;
     a.length = -height;
-    a.ticks = (int)(p->bar_top / p->bar_tick + 0.5);
-    a.step = p->bar_tick;
+    set_ticks(&a, &p->range);
     fputs("<g fill=\"#222\" transform=\"translate(", d->file);
     put_pixels(d->file, x);
     fputc(' ', d->file);
     put_pixels(d->file, y);
     fputs(")\">\n", d->file);
-    begin_text(d->file, 0, -18, AT_START, "font-size=\"26\"");
-    put_mu(d->file, p->rank);
-    fprintf(d->file, "</text>\n<rect width=\"%d\" height=\"", BAR_WIDTH);
+    fputs("<g font-size=\"", d->file);
+    put_pixels(d->file, quantity_size(q, 26, BAR_SPACE - BAR_GAP));
+    fputs("\">", d->file);
+    begin_text(d->file, 0, -18, AT_START, "");
+    put_quantity(d->file, q);
+    fprintf(d->file, "</text></g>\n<rect width=\"%d\" height=\"", BAR_WIDTH);
     put_pixels(d->file, height);
-    fputs("\" fill=\"url(#bar)\" stroke=\"#222\" stroke-width=\".7\"/>\n", d->file);
+    fprintf(d->file, "\" fill=\"url(#%s)\" stroke=\"#222\" stroke-width=\".7\"/>\n", p->range.turn ? "turn" : "bar");
     put_axis(d->file, &a, 0);
     fputs("</g>\n", d->file);
 }
@@ -551,11 +610,10 @@ static void draw_bar_below(const drawing *d)
     const panel *p = d->at;
     double width = 0.6 * d->width, x = p->left + p->width / 2 - width / 2;
     double y = p->top + p->height + (d->height - p->height) / 2 + 12;
-    axis a = {0, 14, 0, 'h', 5, {0, 24}, AT_MIDDLE, 0, 1, 0};
+    axis a = {0, 14, 0, 'h', 5, {0, 24}, AT_MIDDLE, 0, 1, 0, 0, 0};
     a.length = width;
-    a.ticks = (int)(p->bar_top / p->bar_tick + 0.5);
+    set_ticks(&a, &p->range);
     a.every = a.ticks > 6 || width < 200 ? 2 : 1;
-    a.step = p->bar_tick;
     if (a.ticks % a.every) a.every = a.ticks; /* only both ends */
     fputs("<g fill=\"#222\" transform=\"translate(", d->file);
     put_pixels(d->file, x);
@@ -563,7 +621,8 @@ static void draw_bar_below(const drawing *d)
     put_pixels(d->file, y);
     fputs(")\">\n<rect width=\"", d->file);
     put_pixels(d->file, width);
-    fputs("\" height=\"14\" fill=\"url(#bar_below)\" stroke=\"#222\" stroke-width=\".7\"/>\n", d->file);
+    fprintf(d->file, "\" height=\"14\" fill=\"url(#%s_below)\" stroke=\"#222\" stroke-width=\".7\"/>\n",
+            p->range.turn ? "turn" : "bar");
     put_axis(d->file, &a, 0);
     fputs("</g>\n", d->file);
 }
@@ -588,8 +647,10 @@ static int has_grid(const drawing *d, const picture *g)
 static int has_strokes(const drawing *d, int color)
 {
     int i;
+    for (i = 0; i < color; ++i) /* one sample for a rank is enough */
+        if (map_rank(d->options, i) == map_rank(d->options, color)) return 0;
     for (i = 0; i < d->panels; ++i)
-        if (d->panel[i].color == color && d->panel[i].strokes) return 1;
+        if (d->panel[i].rank == map_rank(d->options, color) && d->panel[i].strokes) return 1;
     return 0;
 }
 
@@ -606,7 +667,7 @@ static const char *stroke_words(const drawing *d)
     int i, elongation = 0, others = 0;
     for (i = 0; i < map_colors(d->options); ++i) {
         if (!has_strokes(d, i)) continue;
-        if (map_color(d->options, i) == 2)
+        if (map_rank(d->options, i) == 2)
             elongation = 1;
         else
             others = 1;
@@ -618,6 +679,16 @@ static const char *stroke_words(const drawing *d)
 static double pixels_of_unit(const drawing *d, const picture *g)
 {
     return d->scale / (g->surface == SPHERE ? d->options->radius : 1);
+}
+
+static int has_undefined(const drawing *d, const picture *g)
+{
+    size_t i;
+    int color;
+    for (i = 0; i < g->shapes; ++i)
+        for (color = 0; color < map_colors(d->options); ++color)
+            if (g->shape[i].status == SURFMINK_OK && isnan(value_of(g, d->options, i, color))) return 1;
+    return 0;
 }
 
 static void write_scale(const drawing *d, const picture *g, char text[32])
@@ -645,21 +716,24 @@ static void find_foot(drawing *d, const picture *g)
         d->foot[FOOT_SCALE].width = text_width(text);
     }
     if (g->measured < g->shapes) d->foot[FOOT_REFUSED].width = BAR_WIDTH + SQUARE_TO_TEXT + text_width("refused");
+    if (has_undefined(d, g)) d->foot[FOOT_UNDEFINED].width = BAR_WIDTH + SQUARE_TO_TEXT + text_width("undefined");
     if (shown == 0) return;
     d->foot[FOOT_STROKES].width =
         SAMPLE_WIDTH * shown + SQUARE_TO_TEXT + text_width("directions of mu: ") + text_width(stroke_words(d));
 }
 
-static void draw_refused(const drawing *d)
+/* A square with what it means beside it. */
+static void draw_square(const drawing *d, enum foot which, const char *paint, const char *text)
 {
-    double x = d->foot[FOOT_REFUSED].x, y = foot_y(d, FOOT_REFUSED);
+    double x = d->foot[which].x, y = foot_y(d, which);
+    if (d->foot[which].width <= 0) return;
     fputs("<rect x=\"", d->file);
     put_pixels(d->file, x);
     fputs("\" y=\"", d->file);
     put_pixels(d->file, y - 9);
-    fprintf(d->file, "\" width=\"%d\" height=\"%d\" fill=\"url(#refused)\" stroke=\"#8a8a8a\"/>\n<g fill=\"#222\">",
-            BAR_WIDTH, BAR_WIDTH);
-    put_label(d->file, x + BAR_WIDTH + SQUARE_TO_TEXT, y + 7, AT_START, "refused");
+    fprintf(d->file, "\" width=\"%d\" height=\"%d\" fill=\"%s\" stroke=\"#8a8a8a\"/>\n<g fill=\"#222\">", BAR_WIDTH,
+            BAR_WIDTH, paint);
+    put_label(d->file, x + BAR_WIDTH + SQUARE_TO_TEXT, y + 7, AT_START, text);
     fputs("</g>\n", d->file);
 }
 
@@ -726,7 +800,7 @@ static void draw_stroke_key(const drawing *d)
     fputs("<g id=\"strokes\" fill=\"none\" stroke=\"#222\">\n", d->file);
     for (i = 0; i < map_colors(d->options); ++i) {
         if (!has_strokes(d, i)) continue;
-        rank = map_color(d->options, i);
+        rank = map_rank(d->options, i);
         draw_sample(d, rank, x + 0.5 * SAMPLE_WIDTH, y);
         x += SAMPLE_WIDTH;
     }
@@ -737,18 +811,27 @@ static void draw_stroke_key(const drawing *d)
     fprintf(d->file, "<tspan dy=\"-5\">: %s</tspan></text></g>\n", stroke_words(d));
 }
 
-static void define_fills(const drawing *d)
+static void define_bar(const drawing *d, const char *name, const int map[11][3])
 {
     int i;
-    fprintf(d->file, "<defs>\n<linearGradient id=\"%s>\n",
-            bars_are_below(d) ? "bar_below\"" : "bar\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\"");
+    fprintf(d->file, "<linearGradient id=\"%s%s>\n", name,
+            bars_are_below(d) ? "_below\"" : "\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\"");
     for (i = 0; i <= 10; ++i) {
         fprintf(d->file, "<stop offset=\"%d.%d\" stop-color=\"", i / 10, i % 10);
-        put_color(d->file, 0.1 * i);
+        put_color(d->file, map[i]);
         fputs("\"/>\n", d->file);
     }
-    fputs("</linearGradient>\n"
-          "<pattern id=\"refused\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" "
+    fputs("</linearGradient>\n", d->file);
+}
+
+static void define_fills(const drawing *d)
+{
+    int i, turns = 0;
+    for (i = 0; i < d->panels; ++i) turns += d->panel[i].range.turn > 0;
+    fputs("<defs>\n", d->file);
+    if (turns < d->panels) define_bar(d, "bar", color_map);
+    if (turns > 0) define_bar(d, "turn", turn_map);
+    fputs("<pattern id=\"refused\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" "
           "patternTransform=\"rotate(45)\">"
           "<rect width=\"5\" height=\"5\" fill=\"#ececec\"/><path d=\"M0 0v5\" stroke=\"#8a8a8a\" stroke-width=\"2\"/>"
           "</pattern>\n",
@@ -769,10 +852,18 @@ static void define_fills(const drawing *d)
 
 /* --- the file ----------------------------------------------------------------------------------------------------- */
 
-static void put_ranks(FILE *file, const options *o)
+/* What its colours mean. */
+static void describe_colors(FILE *file, const quantity *q, const range *r)
 {
-    int i;
-    for (i = 0; i < map_colors(o); ++i) fprintf(file, "%smu_%d", i > 0 ? ", " : "", map_color(o, i));
+    char low[32], high[32];
+    put_text(file, q->name, IN_XML);
+    if (r->turn) {
+        fprintf(file, ", pale for 0, blue below, red above, dark for -pi/%d and pi/%d alike", r->turn, r->turn);
+        return;
+    }
+    *write_number(NULL, low, 5, r->low) = '\0';
+    *write_number(NULL, high, 5, r->high) = '\0';
+    fprintf(file, ", dark for %s to light for %s", low, high);
 }
 
 static void begin_map(const drawing *d, const picture *g)
@@ -781,11 +872,9 @@ static void begin_map(const drawing *d, const picture *g)
     begin_page(d->file, d->page_width, d->page_height, d->options, "Outlines and their p-fold symmetry");
     fprintf(d->file, "%lu outlines (%lu of them refused) filled by ", (unsigned long)g->shapes,
             (unsigned long)(g->shapes - g->measured));
-    put_ranks(d->file, d->options);
-    fputs(", dark for 0 to light for ", d->file);
     for (i = 0; i < map_colors(d->options); ++i) {
-        if (i > 0) fputs(", ", d->file);
-        put_decimals(d->file, d->panel[i].bar_top, 2);
+        if (i > 0) fputs("; by ", d->file);
+        describe_colors(d->file, &d->options->color_by.of[i], &d->panel[i].range);
     }
     fputc('.', d->file);
     if (strokes_shown(d) > 0)
@@ -849,21 +938,23 @@ static void draw_head(const drawing *d, int i)
 {
     double left = MARGIN + i % d->columns * (d->width + PANEL_GAP);
     double y = d->at->top - (d->height - d->at->height) / 2 - 12;
-    int several_ranks = map_colors(d->options) > 1, several_views = d->options->views > 1;
+    int several_columns = map_colors(d->options) > 1, several_views = d->options->views > 1;
+    const quantity *q = &d->options->color_by.of[d->at->color];
     char name[VIEW_NAME] = "";
     size_t length;
     if (d->panels == 1) return;
     if (several_views) name_view(d->options, d->at->view, name);
-    length = text_length(name) + (several_ranks ? 4 : 0);
+    length = text_length(name) + (several_columns ? quantity_letters(q) + 1 : 0);
     fputs("<g fill=\"#222\">", d->file);
     put_letter(d->file, left, y, i);
     fputs("<g font-size=\"", d->file);
     put_pixels(d->file, fmin(22, fmax(11, (d->width - 48) / (0.58 * (double)length))));
     fputs("\">", d->file);
     begin_text(d->file, left + d->width / 2, y, AT_MIDDLE, "");
-    if (several_ranks) put_mu(d->file, d->at->rank);
+    if (several_columns) put_quantity(d->file, q);
     if (several_views)
-        fprintf(d->file, "<tspan%s>%s%s</tspan>", several_ranks ? " dy=\"-5\"" : "", several_ranks ? ", " : "", name);
+        fprintf(d->file, "<tspan%s>%s%s</tspan>", several_columns ? " dy=\"-5\"" : "", several_columns ? ", " : "",
+                name);
     fputs("</text></g>\n</g>\n", d->file);
 }
 
@@ -899,7 +990,8 @@ static void write_map(const picture *g, const options *o)
     for (i = 0; i < d.panels; ++i) draw_panel(&d, g, i);
     if (!bars_are_below(&d)) draw_bar(&d);
     if (d.foot[FOOT_SCALE].width > 0) draw_scale(&d, g);
-    if (d.foot[FOOT_REFUSED].width > 0) draw_refused(&d);
+    draw_square(&d, FOOT_REFUSED, "url(#refused)", "refused");
+    draw_square(&d, FOOT_UNDEFINED, "#c8c8c8", "undefined");
     if (d.foot[FOOT_STROKES].width > 0) draw_stroke_key(&d);
     fputs("</svg>\n", d.file);
     close_page(d.file, o->svg);
