@@ -348,6 +348,54 @@ check "narrow: the page has room for the widest" "$(foot |
           if (right > page - 20) ++bad; if (right > most) most = right }
         END { print bad + 0, (page < most + 60) }')" "0 1"
 
+# --- every column of the results --------------------------------------------------------------------------------------
+
+columns="n L S area mu_3 error_L theta_5 sigma_6 center_z e_2_x coherence_4"
+run "$data/tissue.tsv" --error --noise 2% --directions center --svg a.svg --color-by "$(echo "$columns" | tr ' ' ,)"
+for name in $columns; do
+    # Of each cell that is seen: its value in the table, in the picture, and how light it is there.
+    awk -F '\t' -v name=$name '
+        FNR == 1 && NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) column = i; next }
+        NR == FNR { value[$1] = $column; next }
+        match($0, "<title>[^:]*: " name " = [^<]*") {
+            split(substr($0, RSTART + 7, RLENGTH - 7), part, ": " name " = ")
+            sub(/.*" fill="#/, "")
+            light = 0
+            for (k = 1; k <= 5; k += 2)
+                light += (k == 3 ? 6 : k == 1 ? 3 : 1) * \
+                    (16 * index("0123456789abcdef", substr($0, k, 1)) + index("0123456789abcdef", substr($0, k + 1, 1)))
+            print value[part[1]], part[2], light }' out a.svg | sort -g > drawn
+    check "--color-by $name: the values of the table" "$(awk '
+        { d = $1 - $2; if (d * d > 1e-8 + 1e-8 * $1 * $1) ++bad } END { print (NR > 120), bad + 0 }' drawn)" "1 0"
+    [ $name = theta_5 ] || check "--color-by $name: lighter is more" "$(awk '
+        $3 < last - 20 { ++bad } { last = $3 } END { print bad + 0 }' drawn)" 0
+    [ $name != theta_5 ] || check "--color-by $name: darker is farther from 0" "$(awk '
+        { print ($1 < 0 ? -$1 : $1), $3 }' drawn | sort -g | awk '$2 > last + 45 && NR > 1 { ++bad } { last = $2 }
+        END { print bad + 0 }')" 0
+done
+check "a panel, a name and a bar for each" \
+    "$(grep -c '<text x=.*bold">[a-k]<' a.svg) $(grep -c '_below)"' a.svg)" "11 11"
+has "names of columns" a.svg ">coherence_4</tspan>"
+has "Greek letters where they are formulas" a.svg '>θ</tspan><tspan font-size="70%" dy="5">5</tspan>'
+has "what the colours mean" a.svg "filled by n, dark for 4 to light for 9; by L, dark for 20 to light for 70; by S, "
+check "the angles from -pi/5 to pi/5" "$(grep -c '>−π/5</text>\|>π/5</text>' a.svg)" 2
+check "the ends of the map for angles are one colour" "$(
+    sed -n '/id="turn_below"/,/Gradient>/s/.*color="\(#[0-9a-f]*\)".*/\1/p' a.svg | sed -n '1p;$p' |
+        uniq | wc -l | tr -d ' ')" 1
+printf 'c x y\na 0 0\na 1 0\na 1 1\na 0 1\nb 2 0\nb 4 0\nb 4 1\nb 2 1\n' > in
+run --svg a.svg --color-by theta_2 --ply a.ply
+has "what is undefined is grey" a.svg 'fill="#c8c8c8"><title>a: theta_2 = undefined</title>'
+check "and in the legend" "$(grep -c '>undefined</text>' a.svg)" 1
+check "0 is pale" "$(fills a.svg b | grep -c . ; grep -c 'fill="#eeeeee"><title>b: theta_2 = 0<' a.svg)" "0
+1"
+run --svg a.svg --color-by area
+check "all is defined: nothing of it in the legend" "$(grep -c 'undefined' a.svg)" 0
+check "a column without a rank has no strokes" "$(grep -c stroke-linecap a.svg) $(key a.svg)" "0 "
+run --svg a.svg --color-by mu_2,theta_2,area
+check "two columns of one rank: one sample" "$(key a.svg)" "2 "
+run --svg a.svg --color-by e_2_z --directions --quiet
+check "a plane has no z: undefined" "$(grep -c 'e_2_z = undefined' a.svg)" 2
+
 # --- histograms -------------------------------------------------------------------------------------------------------
 
 # counts FILE: sum of the counts in each panel, in the order of the panels.
@@ -357,6 +405,14 @@ counts() {
 }
 run "$data/tissue.tsv" --histogram a.svg
 check "every cell is counted once, in every panel" "$(counts a.svg)" "400 400 400 400 400 400 "
+check "the axis says what is counted" "$(grep -c '>number of outlines, n = 400</text>' a.svg)" 6
+# Upright texts: as many letters as fit along the axis, which is 290 long with what is above it.
+check "and has room for it" "$(
+    sed -n 's/^<g font-size="\([0-9.]*\)"><g transform.*>number of \([^<]*\)<.*/\1 \2/p' a.svg |
+        awk '{ if ($1 * .54 * (length($0) - length($1) + 9) > 290.1) ++bad } END { print NR, bad + 0 }')" "6 0"
+cp a.svg b.svg
+run "$data/tissue.tsv" --histogram a.svg --svg c.svg --color-by area,mu_4
+check "whatever fills the outlines" "$(cmp a.svg b.svg)" ""
 for p in 2 6; do
     awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ {
         sub(/.*<title>/, ""); sub(/<.*/, ""); print panel, $0 }' a.svg |
@@ -406,7 +462,28 @@ check "nothing measured: no bars, no median, no points, no outlines" \
     "$(grep -c 'rect x=\|median ' a.svg) $(grep -c '<circle' b.svg) $(grep -c '<title>x' c.svg) $(tail -n 1 d.ply)" \
     "0 0 0 end_header"
 
-# --- one rank over another --------------------------------------------------------------------------------------------
+run "$data/tissue.tsv" --histogram a.svg --histogram-of n,area,theta_4,L
+check "every cell is counted once, whatever the column" "$(counts a.svg)" "400 400 400 400 "
+bars() {
+    awk -v panel=$1 '/<g fill="#5b7fa6"/ { ++p }
+        p == panel && /<\/title><\/rect>/ { sub(/.*<title>/, ""); sub(/<.*/, ""); print }' a.svg
+}
+check "a bar for each number of corners" "$(bars 1)" "$(column n | sort -n | uniq -c |
+    awk '{ printf "%g to %g: %d\n", $2 - .5, $2 + .5, $1 }')"
+check "and its number below the middle of it" "$(
+    awk '/<rect x=.*3.5 to 4.5/ { gsub(/[^0-9.]+/, " "); split($0, a, " "); print a[1] + a[3] / 2 }' a.svg)" "$(
+    sed -n 's/<text x="\([0-9.]*\)".*>4<.*/\1/p' a.svg | head -n 1)"
+check "bars of areas, bin by bin" "$(bars 2 | sed 's/to.*:/ /' | awk '{ print $1, $2 }')" "$(
+    column area | awk '{ ++n[25 * int($1 / 25)] } END { for (k in n) print k, n[k] }' | sort -n)"
+check "angles have no median" "$(grep -c '>median' a.svg)" 3
+printf 'c x y\na 0 0\na 1 0\na 1 1\na 0 1\nb 2 0\nb 4 0\nb 4 1\nb 2 1\n' > in
+run --histogram a.svg --histogram-of theta_2,n,area --scatter b.svg --scatter-of theta_2,area
+check "n is the number of defined values" "$(grep -o 'outlines, n = [0-9]*' a.svg | tr '\n' ' ')" \
+    "outlines, n = 1 outlines, n = 2 outlines, n = 2 "
+check "of one value, too" "$(counts a.svg)" "1 2 2 "
+check "points whose values are defined" "$(grep -c '<circle' b.svg)" 1
+
+# --- one column over another ------------------------------------------------------------------------------------------
 
 # points FILE: what the tooltips say, and where the points are, in units of the axes.
 points() {
@@ -423,8 +500,15 @@ want=$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
     END { printf "%.2f", (n * sxy - sx * sy) / sqrt((n * sxx - sx * sx) * (n * syy - sy * sy)) }' out)
 has "correlation" a.svg " = $want</text>"
 run "$data/tissue.tsv" --scatter a.svg --scatter-of mu_5,mu_3
-near_lists "other ranks" "$(points a.svg | awk '{ print ($1 - 110) / 560 }')" "$(column mu_5)" 2e-5
-near_lists "other ranks, upwards" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_3)" 2e-5
+near_lists "other columns" "$(points a.svg | awk '{ print ($1 - 110) / 560 }')" "$(column mu_5)" 2e-5
+near_lists "other columns, upwards" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_3)" 2e-5
+run "$data/tissue.tsv" --scatter a.svg --scatter-of area,L
+near_lists "areas to 300" "$(points a.svg | awk '{ print ($1 - 110) / 560 * 300 }')" "$(column area)" 0.01
+near_lists "lengths from 20 to 70" "$(points a.svg | awk '{ print 20 + (610 - $2) / 560 * 50 }')" "$(column L)" 0.001
+has "their correlation" a.svg "= 0.98</text>"
+cp a.svg b.svg
+run "$data/tissue.tsv" --scatter a.svg --scatter-of area,L --svg c.svg --color-by mu_5
+check "the same whatever fills the outlines" "$(cmp a.svg b.svg)" ""
 run shapes.tsv --scatter a.svg --max-rank 2
 near_lists "two ranks are enough" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_2)" 2e-5
 printf 'c,x,y\n"<&>",0,0\n"<&>",1,0\n"<&>",0,1\n' > in
