@@ -428,6 +428,17 @@ check "bars are as high as their counts, mu_3 for example" "$(
         sed -n 's/.* height="\([0-9.]*\)"><title>.*: \([0-9]*\)<.*/\1 \2/p' |
         awk '{ d = $1 - 260 / 80 * $2; if (d * d > 1e-4) ++bad } END { print NR, bad + 0 }')" "$(
     column mu_3 | awk '{ n[int(20 * $1)] } END { for (k in n) ++bins; print bins, 0 }')"
+# Of each panel: is every bar as high as its count on the axis, whose last number is 260 above the first?
+scaled() {
+    awk '/<g fill="#5b7fa6"/ { panel++ } /<\/title><\/rect>/ {
+            height = $0; sub(/.* height="/, "", height); sub(/.*: /, "")
+            ++bars[panel]; bar[panel, bars[panel]] = height + 0; count[panel, bars[panel]] = $0 + 0 }
+        /^<text .*text-anchor="end">[0-9]*<\/text>/ { sub(/.*">/, ""); if ($0 + 0 > top[panel]) top[panel] = $0 + 0 }
+        END { for (p = 1; p <= panel; ++p) for (i = 1; i <= bars[p]; ++i) {
+                  d = bar[p, i] - 260 * count[p, i] / top[p]; if (d * d > 1e-4) ++bad }
+              print panel, bad + 0 }' a.svg
+}
+check "bars are as high as their counts, against the numbers of the axis" "$(scaled)" "6 0"
 # marks FILE: where they are, and of which count.
 marks() {
     sed -n 's/.* d="M\([0-9.]*\) [0-9.]*l-4 -8h8Z.*>\([0-9]*\)<\/text>.*/\1 \2/p' "$1"
@@ -468,6 +479,7 @@ bars() {
     awk -v panel=$1 '/<g fill="#5b7fa6"/ { ++p }
         p == panel && /<\/title><\/rect>/ { sub(/.*<title>/, ""); sub(/<.*/, ""); print }' a.svg
 }
+check "and its bar is as high as its count" "$(scaled)" "4 0"
 check "a bar for each number of corners" "$(bars 1)" "$(column n | sort -n | uniq -c |
     awk '{ printf "%g to %g: %d\n", $2 - .5, $2 + .5, $1 }')"
 check "and its number below the middle of it" "$(

@@ -159,7 +159,7 @@ typedef struct histogram {
     int bins;
     size_t count[MOST_BINS];
     double left, bottom; /* pixels */
-    double most;         /* the end of the upward axis */
+    double most, step;   /* the end of the upward axis, and from tick to tick */
 } histogram;
 
 /* Whole numbers, if there is room, have a bar each; other bars begin and end at round numbers. */
@@ -185,7 +185,6 @@ static void count_bins(histogram *h, const chart *c, const options *o, int colum
 {
     size_t i, highest = 1;
     int bin;
-    double step;
     for (bin = 0; bin < MOST_BINS; ++bin) h->count[bin] = 0;
     for (i = 0; i < c->measured; ++i) {
         double value = chart_value(c, o, i, column);
@@ -195,8 +194,8 @@ static void count_bins(histogram *h, const chart *c, const options *o, int colum
     }
     for (bin = 0; bin < h->bins; ++bin)
         if (h->count[bin] > highest) highest = h->count[bin];
-    step = fmax(1, round_step((double)highest / 2.5));
-    h->most = step * ceil((double)highest / step);
+    h->step = fmax(1, round_step((double)highest / 2.5));
+    h->most = h->step * ceil((double)highest / h->step);
 }
 
 static double edge_of(const histogram *h, int bin)
@@ -303,7 +302,7 @@ static void draw_histogram(FILE *file, const chart *c, const options *o, int col
     choose_bins(&h);
     count_bins(&h, c, o, column);
     counts.high = h.most;
-    counts.step = fmax(1, round_step(h.most / 2.5));
+    counts.step = h.step;
     inset = CHART_WIDTH * share_of(&h.range, h.ticks.low);
     draw_bars(file, &h);
     fputs("<g fill=\"#222\">\n", file);
