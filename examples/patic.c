@@ -104,9 +104,11 @@ static const char *const help[] = {
     "                         as the mean distance of neighbours. Takes 1 s for 10,000 cells\n"
     "  --summary              on standard error: cells, components, Euler characteristic chi, boundary loops, sum of\n"
     "                         charges, boundary sum (both add up to chi), defects, smallest margin, mean order\n"
-    "  --svg FILE             picture: cells filled by the angle of the direction, paler where order is less, with P "
-    "rays\n"
-    "                         along it; defects are black discs (+) and white ones (-)\n"
+    "  --svg FILE             picture: cells filled by the angle of the P rays drawn in them, paler where order is "
+    "less;\n"
+    "                         defects are black discs (+) and white ones (-)\n"
+    "  --strokes along|across            along (default): rays for P = 2 along the long axis, for P = 3, 4, ...\n"
+    "                         towards corners; across: along dx dy dz. None where order is below 5 % of the largest\n"
     "  --color-by hue|order   order: filled by it instead\n"
     "  --view X,Y,Z           from where to look; LON,LAT, front, back; several: a panel for each\n"
     "  --title TEXT           above the picture\n"
@@ -157,11 +159,12 @@ static void parse_radii(request *q, const char *value)
     }
 }
 
-/* Options that the readers know under the same name, or another; the last three take no value. */
-enum { PASSED_ON = 8, WITH_A_VALUE = 6 };
+/* Options that the readers know under the same name, or another; the last two take no value. */
+enum { PASSED_ON = 9, WITH_A_VALUE = 7 };
 static const char *const passed_on[PASSED_ON][2] = {
     {"surface", "--surface"}, {"sphere-radius", "--radius"}, {"reverse", "--reverse"}, {"svg", "--svg"},
-    {"view", "--view"},       {"title", "--title"},          {"merge", "--merge"},     {"quiet", "--quiet"}};
+    {"view", "--view"},       {"title", "--title"},          {"strokes", "--strokes"}, {"merge", "--merge"},
+    {"quiet", "--quiet"}};
 
 /* What the readers would say under their own name. */
 static void check_passed_on(const char *name, const char *value)

@@ -15,6 +15,7 @@ enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
 enum reverse { REVERSE_AUTO, REVERSE_ALWAYS, REVERSE_NEVER };
 enum crossings { CROSSINGS_AUTO, CROSSINGS_ALWAYS, CROSSINGS_NEVER };
 enum directions { NO_DIRECTIONS, AT_FIRST_EDGE, AT_CENTER };
+enum strokes_of { STROKES_ALONG, STROKES_ACROSS, STROKES_NOT_GIVEN };
 
 /* Panels of a picture. */
 enum { MOST_COLORS = 12, MOST_VIEWS = 6 };
@@ -26,6 +27,17 @@ typedef struct viewpoint {
     double from[3]; /* as the user wrote it */
     int numbers;    /* 2: longitude and latitude, 3: a direction */
 } viewpoint;
+
+/* A column of the results that a picture shows. */
+typedef struct quantity {
+    char name[24];
+    int rank; /* p of mu_p, theta_p, e_p_x and so on; 0: it has none */
+} quantity;
+
+typedef struct quantities {
+    quantity of[MOST_COLORS];
+    int count; /* 0: not given */
+} quantities;
 
 typedef struct options {
     int surface;         /* of enum surface */
@@ -55,8 +67,9 @@ typedef struct options {
     int directions; /* of enum directions */
     int json;
     const char *svg, *histogram, *scatter, *ply; /* NULL: none */
-    int color_by[MOST_COLORS];                   /* ranks that fill the picture */
-    int colors;                                  /* how many of them; 0: not given */
+    quantities color_by;                         /* what fills the picture */
+    quantities histogram_of, scatter_of;
+    int strokes; /* of enum strokes_of */
     viewpoint view[MOST_VIEWS];
     int views; /* 0: not given */
     const char *title, *unit;
@@ -65,6 +78,12 @@ typedef struct options {
     const char **file;
     size_t files;
 } options;
+
+/* The strokes of pictures: along the eigenvectors of -lambda_p, as the paper draws them, or across those. */
+static int is_along(const options *o)
+{
+    return o->strokes != STROKES_ACROSS;
+}
 
 static void usage_error(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
 static void usage_error(const char *format, ...)
@@ -176,11 +195,18 @@ static const char *const help_text[] = {
     "  --version\n"
     "\n",
     "PICTURES (options, too; all of them keep what they draw in memory)\n"
-    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p directions at the centre, which\n"
-    "                         cross the longest sides (so those of mu_2 lie across it), longer for larger mu_p\n"
-    "  --histogram FILE       draws how many outlines have which mu_1 ... mu_P, or those of --color-by; 12 at most\n"
-    "  --scatter FILE         draws mu_P over mu_2 of each outline, or the first two of --color-by\n"
-    "  --color-by mu_p,mu_q   which mu_p (or only p), default mu_2; several: a panel and a bar for each\n"
+    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p directions of each at its centre\n"
+    "  --strokes along|across            along (default): for mu_2 along the long axis, for mu_3, mu_4, ... towards\n"
+    "                         corners. across: across the sides, as theta_p and --directions. None where mu_p is\n"
+    "                         below 5 % of the end of its bar\n"
+    "  --color-by COLUMN,...  what fills the outlines, default mu_2: columns of the results, as mu_6 (or only 6), "
+    "area,\n"
+    "                         n; several: a panel and a bar for each. theta_p: blue below 0, red above, both ends "
+    "alike\n"
+    "  --histogram FILE       draws how many outlines have which mu_1 ... mu_P\n"
+    "  --histogram-of COLUMN,...         or which other columns; 12 at most\n"
+    "  --scatter FILE         draws a point for each outline: mu_2 to the right, mu_P upwards\n"
+    "  --scatter-of COLUMN,COLUMN        or two other columns\n"
     "  --view LON,LAT         from where to look: from above a point of the sphere,\n"
     "  --view X,Y,Z           from a direction,\n"
     "  --view front|back      from where most can be seen (default), or behind that, or behind the --view before.\n"
@@ -277,21 +303,35 @@ static void parse_noise(options *o, const char *value)
     o->noise = 1;
 }
 
-/* mu_5, or just 5; or several of these with commas between them. */
-static void parse_color_by(options *o, const char *value)
+/* The digits behind the first _ of a name: p of mu_p. */
+static int rank_of(const char *name)
+{
+    const char *at = strchr(name, '_');
+    char digits[24];
+    size_t rank, length;
+    if (!at) return 0;
+    length = strspn(at + 1, "0123456789");
+    if (at[1 + length] != '\0' && at[1 + length] != '_') return 0;
+    digits[0] = '\0';
+    strncat(digits, at + 1, length < sizeof digits ? length : 0);
+    return parse_count(digits, &rank) && rank <= INT32_MAX ? (int)rank : 0;
+}
+
+/* Names of columns with commas between them; 5 is mu_5. */
+static void parse_quantities(const char *name, const char *value, quantities *list, int most)
 {
     const char *at = value;
-    char word[16];
-    size_t rank, length;
-    for (o->colors = 0;; at += length + 1) {
-        if (strncmp(at, "mu_", 3) == 0) at += 3;
+    size_t length;
+    for (list->count = 0;; at += length + 1) {
+        quantity *q = &list->of[list->count];
         length = strcspn(at, ",");
-        word[0] = '\0';
-        if (length < sizeof word) strncat(word, at, length);
-        if (!parse_count(word, &rank) || rank < 1 || rank > INT32_MAX)
-            usage_error("--color-by is one of mu_1, mu_2, ... or several, not '%s'", value);
-        if (o->colors == MOST_COLORS) usage_error("--color-by takes at most %d ranks", MOST_COLORS);
-        o->color_by[o->colors++] = (int)rank;
+        if (list->count == most) usage_error("--%s takes at most %d columns", name, most);
+        if (length == 0 || length + 3 >= sizeof q->name)
+            usage_error("--%s takes columns of the results, as mu_2 or mu_2,area, not '%s'", name, value);
+        strcpy(q->name, strspn(at, "0123456789") == length ? "mu_" : "");
+        strncat(q->name, at, length);
+        q->rank = rank_of(q->name);
+        ++list->count;
         if (at[length] == '\0') return;
     }
 }
@@ -349,9 +389,12 @@ enum option {
     OPTION_DIGITS,
     OPTION_SVG,
     OPTION_HISTOGRAM,
+    OPTION_HISTOGRAM_OF,
     OPTION_SCATTER,
+    OPTION_SCATTER_OF,
     OPTION_PLY,
     OPTION_COLOR_BY,
+    OPTION_STROKES,
     OPTION_VIEW,
     OPTION_TITLE,
     OPTION_UNIT,
@@ -376,10 +419,11 @@ enum option {
 
 /* In this order. */
 static const char *const option_name[OPTIONS] = {
-    "surface", "radius",  "max-rank",  "transport", "order",     "sharp",      "noise",  "smooth", "reverse",
-    "digits",  "svg",     "histogram", "scatter",   "ply",       "color-by",   "view",   "title",  "unit",
-    "id",      "columns", "normals",   "resample",  "crossings", "directions", "merge",  "parts",  "repair",
-    "y-down",  "error",   "json",      "summary",   "quiet",     "help",       "version"};
+    "surface",  "radius",    "max-rank",   "transport", "order",        "sharp",   "noise",      "smooth",
+    "reverse",  "digits",    "svg",        "histogram", "histogram-of", "scatter", "scatter-of", "ply",
+    "color-by", "strokes",   "view",       "title",     "unit",         "id",      "columns",    "normals",
+    "resample", "crossings", "directions", "merge",     "parts",        "repair",  "y-down",     "error",
+    "json",     "summary",   "quiet",      "help",      "version"};
 
 static void set_option(options *o, int option, const char *value)
 {
@@ -390,6 +434,7 @@ static void set_option(options *o, int option, const char *value)
     static const char *const places[] = {"edge", "center", "centre"};
     static const char *const estimates[] = {"estimate", "given"};
     static const char *const extents[] = {"auto", "always", "never"};
+    static const char *const ways[] = {"along", "across"};
     static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
     const char *name = option_name[option];
     switch (option) {
@@ -406,9 +451,12 @@ static void set_option(options *o, int option, const char *value)
     case OPTION_DIGITS: o->digits = parse_between(name, value, 1, 17); break;
     case OPTION_SVG: o->svg = value; break;
     case OPTION_HISTOGRAM: o->histogram = value; break;
+    case OPTION_HISTOGRAM_OF: parse_quantities(name, value, &o->histogram_of, MOST_COLORS); break;
     case OPTION_SCATTER: o->scatter = value; break;
+    case OPTION_SCATTER_OF: parse_quantities(name, value, &o->scatter_of, 2); break;
     case OPTION_PLY: o->ply = value; break;
-    case OPTION_COLOR_BY: parse_color_by(o, value); break;
+    case OPTION_COLOR_BY: parse_quantities(name, value, &o->color_by, MOST_COLORS); break;
+    case OPTION_STROKES: o->strokes = parse_choice(name, value, ways, 2); break;
     case OPTION_VIEW: parse_view(o, value); break;
     case OPTION_TITLE: o->title = value; break;
     case OPTION_UNIT: o->unit = value; break;
@@ -532,6 +580,33 @@ static int is_standard_output(const char *name)
 #endif
 }
 
+static void check_ranks(const char *name, const quantities *list, const options *o)
+{
+    int i;
+    for (i = 0; i < list->count; ++i)
+        if (list->of[i].rank > o->max_rank)
+            usage_error("--%s %s needs --max-rank %d", name, list->of[i].name, list->of[i].rank);
+}
+
+static void add_quantity(quantities *list, int rank)
+{
+    quantity *q = &list->of[list->count++];
+    snprintf(q->name, sizeof q->name, "mu_%d", rank);
+    q->rank = rank;
+}
+
+/* What is shown if nobody asks for other columns. */
+static void choose_quantities(options *o)
+{
+    int p;
+    if (o->color_by.count == 0) add_quantity(&o->color_by, o->max_rank < 2 ? 1 : 2);
+    for (p = 1; p <= o->max_rank && o->histogram_of.count == p - 1 && p <= MOST_COLORS; ++p)
+        add_quantity(&o->histogram_of, p);
+    if (o->scatter_of.count > 0) return;
+    add_quantity(&o->scatter_of, o->max_rank < 3 ? 1 : 2);
+    add_quantity(&o->scatter_of, o->max_rank);
+}
+
 /* What no single option can know to be wrong. An option without effect would be taken for one that has been obeyed. */
 static void check_options(options *o)
 {
@@ -546,18 +621,20 @@ static void check_options(options *o)
             if (picture_file(o, j) && is_same_output(name, picture_file(o, j)))
                 usage_error("--%s and --%s would write the same file", picture_option[j], picture_option[i]);
     }
-    if (!o->svg && !o->histogram && !o->scatter && !o->ply && o->colors > 0)
-        usage_error("--color-by is for pictures: add --svg FILE");
+    if (!o->svg && !o->ply && o->color_by.count > 0) usage_error("--color-by is for outlines: add --svg FILE");
+    if (!o->histogram && o->histogram_of.count > 0) usage_error("--histogram-of is for --histogram FILE");
+    if (!o->scatter && o->scatter_of.count > 0) usage_error("--scatter-of is for --scatter FILE");
+    if (!o->svg && o->strokes != STROKES_NOT_GIVEN) usage_error("--strokes is for pictures: add --svg FILE");
     if (!o->svg && o->views > 0) usage_error("--view is for pictures: add --svg FILE");
     if (!o->svg && !o->histogram && !o->scatter && o->title) usage_error("--title is for pictures: add --svg FILE");
     if (!o->svg && o->unit) usage_error("--unit is for pictures: add --svg FILE");
-    for (i = 0; i < o->colors; ++i)
-        if (o->color_by[i] > o->max_rank)
-            usage_error("--color-by mu_%d needs --max-rank %d", o->color_by[i], o->color_by[i]);
-    if (o->scatter && (o->colors == 1 || o->max_rank < 2))
-        usage_error("--scatter needs two ranks, as --color-by mu_2,mu_6");
-    if (o->svg && o->views * o->colors > MOST_COLORS)
-        usage_error("--svg draws %d panels at most: fewer --view, or fewer ranks", MOST_COLORS);
+    check_ranks("color-by", &o->color_by, o);
+    check_ranks("histogram-of", &o->histogram_of, o);
+    check_ranks("scatter-of", &o->scatter_of, o);
+    if (o->scatter && (o->scatter_of.count == 1 || (o->scatter_of.count == 0 && o->max_rank < 2)))
+        usage_error("--scatter needs two columns, as --scatter-of mu_2,area");
+    if (o->svg && o->views * o->color_by.count > MOST_COLORS)
+        usage_error("--svg draws %d panels at most: fewer --view, or fewer columns", MOST_COLORS);
     if (o->transport == SURFMINK_PARALLEL && (o->order == 4 || o->error))
         usage_error("--transport parallel has neither --order 4 nor --error");
     if (o->noise && (o->order == 4 || o->transport == SURFMINK_PARALLEL))
@@ -581,6 +658,7 @@ static void parse_options(options *o, int argc, char **argv)
     o->transport = SURFMINK_CORRECTED;
     o->order = 2;
     o->reverse = REVERSE_NEVER;
+    o->strokes = STROKES_NOT_GIVEN;
     o->digits = 17;
     o->file = (const char **)resize(NULL, (size_t)argc + 1, sizeof *o->file);
     while (i < argc) {
@@ -594,6 +672,7 @@ static void parse_options(options *o, int argc, char **argv)
     }
     if (o->files == 0) o->file[o->files++] = standard_input;
     check_options(o);
+    choose_quantities(o);
 }
 
 #endif
