@@ -476,10 +476,8 @@ check "every block of the documentation, with the programs it needs" "
 check "man pages: mandoc and groff find nothing" "mandoc -T lint -W warning docs/*.1 &&
     for page in docs/*.1; do groff -mandoc -Tutf8 -ww -z \$page; done"
 check "CITATION.cff is YAML" "/usr/bin/python3 -c 'import yaml; yaml.safe_load(open(\"docs/CITATION.cff\"))'"
-check "make install" "$(quietly "make -s install DESTDIR=$here/installed PREFIX=/usr")
-    PKG_CONFIG_PATH=$here/installed/usr/share/pkgconfig pkg-config --exists 'surfmink >= 0.1' &&
-    test -x $here/installed/usr/bin/surfmink && test -s $here/installed/usr/share/man/man1/surfmink.1 &&
-    test -s $here/installed/usr/share/man/man1/levelset.1"
+check "make install, and programs that find it: pkg-config, CMake, Meson" \
+    "$(quietly "sh tests/test_install.sh .build cc make --tools")"
 check "other languages: docs/languages.md, and the same story in each" \
     "$(quietly "sh tests/test_languages.sh .build/surfmink")"
 check "many machines: Open MPI and GNU parallel give the bytes of one run" "
