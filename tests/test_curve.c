@@ -1710,7 +1710,7 @@ static int curvature_that_fails(void *context, const double *x, double *curvatur
 THEOREM(a_callback_that_fails_is_reported_with_its_corner)
 {
     enum { N = 24 };
-    double corner[2 * N];
+    double corner[2 * N] = {0};
     surfmink_surface s = hyperbolic_plane();
     surfmink_outline view = surfmink_on_surface(&s, corner, N);
     surfmink_curve_options options = {2, NULL, -1, NULL};
