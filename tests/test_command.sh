@@ -1579,8 +1579,8 @@ run --help
 check "help: exit status" "$status" 0
 check "help leads with examples" "$(sed -n 3p out)" EXAMPLES
 for option in surface radius max-rank transport order error sharp smooth reverse merge digits directions json svg \
-    color-by strokes view histogram histogram-of scatter scatter-of ply title unit id columns y-down normals parts repair crossings resample noise \
-    summary quiet help version; do
+    color-by strokes view histogram histogram-of scatter scatter-of ply title unit id columns y-down \
+    normals parts repair crossings resample noise summary quiet help version; do
     has "help explains --$option" out "  --$option"
 done
 run --version

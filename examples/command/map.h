@@ -78,7 +78,7 @@ static double color_top(const picture *g, const options *o, int p, double *tick)
     size_t i;
     int k;
     for (i = 0; i < g->shapes; ++i) most = fmax(most, mu_of(g, o, i, p));
-    if (most <= 0) most = 1; /* nothing was measured */
+    if (most < 1e-12) most = 1; /* nothing was measured, or rounding noise */
     for (k = 0; k < 8 && most > top[k][0]; ++k) continue;
     *tick = top[k][1];
     return top[k][0];
