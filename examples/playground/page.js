@@ -167,7 +167,8 @@ function viewOfAll() {
   const size = bodySize(),
     on = engine.project(outline, middle) || cornerAt(0);
   const normal = unit(normalAt(on));
-  const small = reach < (outline.kind === "sphere" ? 0.45 : 0.22) * size;
+  // small on the body, or too small on the screen for fingers
+  const small = reach < (outline.kind === "sphere" ? 0.45 : 0.22) * size || (0.46 * room * reach) / size < 56;
   const eye =
     outline.kind === "torus" && !small ? plus(times(normal, 0.8), [0, 0, 1], 0.7) : plus(normal, [0.16, -0.1, 0.16]);
   const rows = lookFrom(eye);
