@@ -174,7 +174,8 @@ static inline double surfmink_gradient__phases(const surfmink_outline *o, const 
     size_t i, k, count;
     int p;
     for (i = 0; i < n; i += LANES) {
-        count = n - i < LANES ? n - i : LANES;
+        count = n - i;
+        if (count > LANES) count = LANES;
         for (k = 0; k < LANES; ++k) {
             f[k] = phase[k < count ? i + k : i];
             z[0][k] = 1;
