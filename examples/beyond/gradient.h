@@ -593,13 +593,13 @@ static inline double surfmink_gradient__spread(double m, double aa, double bb, d
     double mean = 0, angle, at, s;
     int k;
     for (k = 0; k < DIRECTIONS; ++k) {
-        angle = 3.14159265358979323846 * (k + 0.5) / DIRECTIONS;
+        angle = 3.14159265358979323846 * (k + 0.5) / (double)DIRECTIONS;
         at = m * cos(angle);
         s = aa * cos(angle) * cos(angle) + 2 * ab * cos(angle) * sin(angle) + bb * sin(angle) * sin(angle);
         if (!(s > 0)) mean += fabs(at);
         if (s > 0) mean += sqrt(s / 1.5707963267948966) * exp(-at * at / (2 * s)) + at * erf(at / sqrt(2 * s));
     }
-    mean *= 1.5707963267948966 / DIRECTIONS;
+    mean *= 1.5707963267948966 / (double)DIRECTIONS;
     s = m * m + aa + bb - mean * mean;
     return s > 0 ? sqrt(s) : 0;
 }
