@@ -95,7 +95,7 @@ static measured measure(outline *o, const unsigned char *sharp, int order)
     return m;
 }
 
-/* --- docs/internals/beyond.md --------------------------------------------------------------------------------------- */
+/* --- docs/internals/beyond.md ------------------------------------------------------------------------------------- */
 
 /* A row of a table there: errors, and in brackets the orders of their convergence, if there are any; 0 is a dash.
    Prints it as the page has it, and holds the page to it: errors to 8 % or a rounding, orders to 0.02. */

@@ -165,8 +165,8 @@ static void outline_of(drawing *d, size_t region, outline *to)
 static void measure_plane(const double *corner, size_t n, measures *m)
 {
     surfmink_functionals w;
-    surfmink_outline outline = surfmink_plane(corner, n);
-    m->status = surfmink_measure(&outline, RANKS, m->mu, NULL, &w, NULL);
+    surfmink_outline view = surfmink_plane(corner, n);
+    m->status = surfmink_measure(&view, RANKS, m->mu, NULL, &w, NULL);
     m->length = w.length;
     m->area = w.area;
 }
@@ -176,10 +176,10 @@ static void measure_plane(const double *corner, size_t n, measures *m)
 static void measure_space(const double *corner, const double *normal, size_t n, measures *m)
 {
     surfmink_functionals w;
-    surfmink_outline outline = surfmink_embedded(corner, normal, n);
+    surfmink_outline view = surfmink_embedded(corner, normal, n);
     double area[3] = {0, 0, 0}, mean[3] = {0, 0, 0}, a[3], b[3], twice[3];
     size_t k, c;
-    m->status = surfmink_measure(&outline, RANKS, m->mu, NULL, &w, NULL);
+    m->status = surfmink_measure(&view, RANKS, m->mu, NULL, &w, NULL);
     m->length = w.length;
     for (k = 0; k < n; ++k) {
         for (c = 0; c < 3; ++c) {

@@ -3,9 +3,9 @@
      gcc -O2 -I. tests/accuracy/curve.c -o curve -lquadmath -lm
      ./curve 400                                            so many curves of each kind; exit status 1 above a limit
 
-   The first table: worst rounding errors of order 4. The reference below is the scheme of docs/internals/beyond.md, written
-   once more, from its formulas: turns as differences of angles in a frame of the tangent plane, geodesic curvature on the
-   line through two points, every sin(x) / x by itself. Corners are doubles and taken as exact.
+   The first table: worst rounding errors of order 4. The reference below is the scheme of docs/internals/beyond.md,
+   written once more, from its formulas: turns as differences of angles in a frame of the tangent plane, geodesic
+   curvature on the line through two points, every sin(x) / x by itself. Corners are doubles and taken as exact.
 
    The other tables: how often errors of random curves are within their estimates. tests/curves.h draws the curves. */
 #define SURFMINK_STATIC
@@ -282,7 +282,7 @@ static int survey(int where, int geodesics, int curves)
 
 /* --- estimates ---------------------------------------------------------------------------------------------------- */
 
-/* One line of the table. If it is that of docs/internals/beyond.md, the page must have it; returns whether it does not. */
+/* One line of the table. If it is in docs/internals/beyond.md, the page must have it; returns whether it has not. */
 static int print_estimates(const char *which, int order, estimates *e, int is_documented)
 {
     static char page[100000];
