@@ -286,8 +286,8 @@ static inline void surfmink_curve__add(double sum[2], double x)
     sum[0] = total;
 }
 
-/* On an arc the phase runs from f - x to f + x, where x = pi D / S, and the mean of exp(i p f) there is sin(p x) / (p x)
-   exp(i p f). sin(p x) is the imaginary part of exp(i x)^p, which keeps its digits however small x is.
+/* On an arc the phase runs from f - x to f + x, where x = pi D / S, and the mean of exp(i p f) there is exp(i p f)
+   sin(p x) / (p x). sin(p x) is the imaginary part of exp(i x)^p, which keeps its digits however small x is.
    In sum stand the real and the imaginary part of p g_p. mu or g may be NULL. */
 static inline void surfmink_curve__integrate(const surfmink_curve__arcs *c, int max_rank, double *mu, double *g)
 {

@@ -2,8 +2,8 @@
    cc -I. tests/check/beyond.c -lm && ./a.out
 
    Outlines by chance, most with a fault: too few corners, a NaN, a repeated corner, no normal or one turned round, the
-   wrong way round, a great circle, a rank or a radius that is none. Where a call fails every output keeps its bits; where
-   it succeeds none that it promises does. */
+   wrong way round, a great circle, a rank or a radius that is none. Where a call fails every output keeps its bits;
+   where it succeeds it writes. */
 #define SURFMINK_IMPLEMENTATION
 #include "surfmink.h"
 
