@@ -111,6 +111,51 @@ for program in "$build"/theory_*; do
     grep -F "pictures/$name.svg" docs/internals/theory.md docs/field.md > /dev/null
     count $? "docs/internals/theory.md or field.md shows $name.svg" "nowhere" "somewhere"
 done
+# hidden FILE: curves that lie on the frame of their plot, and labels "order n" that a curve runs through.
+hidden() {
+    awk '
+        function points(    k) {
+            split($0, part, "\"")
+            n = split(substr(part[2], 2), number, " ")
+            for (k = 1; k < n; k += 2) { x[++sides] = number[k]; y[sides] = number[k + 1]; first[sides] = k == 1 }
+        }
+        /^<rect x=.*fill="none" stroke="#000000"/ { split($0, part, "\""); top = part[4]; bottom = top + part[8] }
+        /^<g clip-path/ { clipped = 1; next }
+        clipped && /^<path d="M/ {
+            before = sides
+            points()
+            clear = 0
+            for (k = before + 1; k <= sides; ++k)
+                if (y[k] > top + 3 && y[k] < bottom - 3) clear = 1
+            if (!clear) ++on_the_frame
+        }
+        { clipped = 0 }
+        /^<text .*>order/ {
+            split($0, part, "\"")
+            gsub(/<[^>]*>/, "")
+            width = 4.6 * length($0)
+            label_x[++labels] = part[2] - (part[5] ~ /anchor/ ? (part[6] == "end" ? width : width / 2) : 0)
+            label_y[labels] = part[4] - 3
+            label_width[labels] = width
+        }
+        END {
+            for (i = 1; i <= labels; ++i)
+                for (k = 2; k <= sides; ++k)
+                    for (t = 0; t <= 1 && !first[k]; t += 1 / 64) {
+                        at = x[k - 1] + t * (x[k] - x[k - 1]) - label_x[i]
+                        up = y[k - 1] + t * (y[k] - y[k - 1]) - label_y[i]
+                        if (at > 0 && at < label_width[i] && up < 3 && up > -3) crossed[i] = 1
+                    }
+            for (i in crossed) ++through
+            print (sides > 0), on_the_frame + 0, through + 0
+        }' "$1"
+}
+for picture in pictures/transport pictures/pixels paper/tables paper/levelset; do
+    check "$picture.svg: no curve on the frame, no label in a curve" "$(hidden docs/$picture.svg)" "1 0 0"
+done
+check "tables.svg: what lies on another curve is narrower" "$(
+    grep -o 'stroke="#9bd5c4" stroke-width="5"\|stroke="#cc79a7" stroke-width="1.4"' docs/paper/tables.svg | sort | uniq -c |
+        awk '{ printf "%d ", ($1 > 1) }')" "1 1 "
 "$build/tissue" --cells 60 --relax 1 --axes 90,60,50 > "$work/wild.tsv"
 "$build/surfmink" --color-by 6 --unit µm --svg "$work/relax_before.svg" "$work/wild.tsv" > "$work/said"
 alike "docs/pictures/relax_before.svg is up to date (docs/internals/beyond.md)" "$work/relax_before.svg" \
