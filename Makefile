@@ -10,7 +10,7 @@
 #   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
 #   make bench      ns a corner, beside other ways to the same numbers; gcc, clang; 25 minutes, BENCH=--quick: 7
-#   make bench-count  instructions a corner of the same ways; needs gcc, valgrind and x86-64
+#   make bench-count  instructions a corner of the same ways, and of smooth curves; needs gcc, valgrind and x86-64
 #   make fuzz       every public function and reader under clang's libFuzzer; SECONDS=60 for each
 #   make coverage   lines and branches of surfmink.h that no test takes; needs gcc, gcov, python3
 #   make mutants    do the tests notice a broken surfmink.h? hours; needs tcc, gcc, python3; MUTANTS=--sample=200
@@ -161,6 +161,8 @@ bench-count:
 	@gcc -std=c99 -O2 -I. tests/bench/bench.c -o $(BUILD)/bench_x86-64 -lm
 	@gcc -std=c99 -O2 -march=haswell -I. tests/bench/bench.c -o $(BUILD)/bench_haswell -lm
 	@sh tests/bench/count.sh $(BUILD)/bench_x86-64 $(BUILD)/bench_haswell
+	@gcc -std=c99 -O2 -I. tests/bench/curve.c -o $(BUILD)/bench_curve -lm
+	@sh tests/bench/count_curve.sh $(BUILD)/bench_curve
 
 fuzz:
 	@mkdir -p $(BUILD)/fuzz

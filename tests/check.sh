@@ -230,6 +230,23 @@ for program in examples/*.c examples/paper/*.c examples/image/*.c; do
     check "clang, $program" "clang -std=c99 $wall_c $declared -I. -c $program -o $here/program.o"
 done
 
+# headers to copy, and the library for other languages
+for header in examples/beyond/*.h; do
+    name=$(basename "$header" .h)
+    printf '#include "surfmink.h"\n#include "%s"\n' "$header" > "$work/beyond_$name.c"
+    for compiler in "gcc -std=c99 $wall_c" "clang -std=c99 $wall_c" "g++ -x c++ -std=c++11 $wall" \
+        "clang++ -x c++ -std=c++11 $wall"; do
+        check "$(short "$compiler"), $header" "$compiler -I. -c $work/beyond_$name.c -o $here/unit.o"
+    done
+done
+for compiler in gcc clang; do
+    check "$compiler, examples/languages/flat.c" \
+        "$compiler -std=c99 $wall_c -Wc++-compat -I. -c examples/languages/flat.c -o $here/unit.o"
+done
+check "examples/beyond: outputs of what fails are untouched" "
+    clang -std=c99 $wall_c -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. tests/check/beyond.c \
+        -o $here/beyond -lm && $(quietly "$here/beyond")"
+
 # object FLAGS...: $object is what a program needs that these flags compile: the implementation, compiled once for all
 # of them. using PROGRAM: $using is that, or nothing for a program that looks inside.
 objects=$work/objects

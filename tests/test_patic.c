@@ -228,21 +228,35 @@ THEOREM(with_holes_the_boundary_terms_make_up_the_rest)
         }
 }
 
+/* What the topology of two cells of the plane stands on. */
+typedef struct two_cells {
+    size_t offset[3];
+    char memory[20000];
+} two_cells;
+
+/* Two cells of n corners each. */
+static void build_two(patic *t, two_cells *two, const double *corner, size_t n, double weld)
+{
+    surfmink_outline all = surfmink_plane(corner, 2 * n);
+    two->offset[0] = 0;
+    two->offset[1] = n;
+    two->offset[2] = 2 * n;
+    CHECK(patic_bytes(two->offset, 2, P) <= sizeof two->memory);
+    CHECK_OK(patic_build(t, &all, two->offset, 2, P, weld, two->memory));
+    CHECK_EQUAL(t->measured, 2);
+}
+
 /* Two cells make an annulus: they share two edges, with the same chord between their centres. Three chords would do
    without this care, and so would the same two cells with one edge between them. */
 THEOREM(two_cells_round_a_hole_are_an_annulus)
 {
     static const double corner[32] = {2,  0, 1.6,  1.5,  0, 2,  -1.6, 1.4,  -2, 0, -1, 0, 0, 1,  1,  0,
                                       -2, 0, -1.5, -1.5, 0, -2, 1.5,  -1.4, 2,  0, 1,  0, 0, -1, -1, 0};
-    static const size_t offset[3] = {0, 8, 16};
-    surfmink_outline all = surfmink_plane(corner, 16);
     double z[4] = {1, 0, 0, 1};
-    char memory[20000];
+    two_cells two;
     patic t;
     int p;
-    CHECK(patic_bytes(offset, 2, P) <= sizeof memory);
-    CHECK_OK(patic_build(&t, &all, offset, 2, P, -1, memory));
-    CHECK_EQUAL(t.measured, 2);
+    build_two(&t, &two, corner, 8, -1);
     CHECK_EQUAL(t.chi, 0);
     CHECK_EQUAL(t.walks, 2);
     for (p = 1; p <= P; ++p) check_theorem(&t, p, z);
@@ -255,19 +269,15 @@ THEOREM(a_gap_in_a_border_is_a_hole)
 {
     static const double corner[40] = {0, 0, 0.1, 1, 0, 2, 0.1, 3, 0, 4, 0.1, 5,    0, 6, -4, 6, -5, 3, -4, 0,
                                       0, 6, 0.1, 5, 0, 4, 0,   3, 0, 2, 0.1, 1.01, 0, 0, 4,  0, 5,  3, 4,  6};
-    static const size_t offset[3] = {0, 10, 20};
-    surfmink_outline all = surfmink_plane(corner, 20);
     double z[4] = {1, 0, 0.4, 1};
-    char memory[20000];
+    two_cells two;
     patic t;
     int p;
-    CHECK(patic_bytes(offset, 2, P) <= sizeof memory);
-    CHECK_OK(patic_build(&t, &all, offset, 2, P, -1, memory));
-    CHECK_EQUAL(t.measured, 2);
+    build_two(&t, &two, corner, 10, -1);
     CHECK_EQUAL(t.shared, 2);
     CHECK_EQUAL(t.chi, 1);
     for (p = 1; p <= P; ++p) check_theorem(&t, p, z);
-    CHECK_OK(patic_build(&t, &all, offset, 2, P, 0.02, memory));
+    build_two(&t, &two, corner, 10, 0.02);
     CHECK_EQUAL(t.shared, 4);
     CHECK_EQUAL(t.chi, 0); /* 2 - 4 + 2: the fans of two at (0.1, 5) and (0.1, 1) are closed */
     for (p = 1; p <= P; ++p) check_theorem(&t, p, z);

@@ -277,6 +277,28 @@ check "has too few cells" "$(grep WARNING err)" \
     "patic: WARNING: the component of cell 11 (8 cells) is too coarse for its \
 curvature: its charges sum to 0, its Euler characteristic is 2"
 
+# --- without any order of its own -------------------------------------------------------------------------------------
+
+# slope FILE: of log order over log radius, of a scan.
+slope() {
+    awk 'NR > 1 { x = log($1); y = log($NF); ++n; a += x; b += y; aa += x * x; ab += x * y }
+         END { printf "%.3f\n", (n * ab - a * b) / (n * aa - a * a) }' "$1"
+}
+
+# An average over independent cells falls as 1/R; at odd ranks only the rim of the ball is left, which falls as R^-1.5.
+# With 2000 cells the exponents scatter: -0.86 to -1.06 and -1.48 to -1.50 in these and others.
+for tissue in "--seed 5 --relax 1 --axes 100,100,100" "--seed 6 --relax 0" "--seed 7 --relax 0 --axes 110,70,50"; do
+    "$(dirname "$patic")/tissue" --cells 2000 $tissue > disordered.tsv
+    for rank in 2 3 4 5 6; do
+        run --rank "$rank" --radius 1c,1.5c,2.1c,3c,4.2c disordered.tsv
+        case $rank in
+        3 | 5) near "$tissue: order falls at rank $rank" "$(slope out)" -1.5 0.04 ;;
+        *) near "$tissue: order falls at rank $rank" "$(slope out)" -1 0.2 ;;
+        esac
+        check "$tissue: charges at rank $rank" "$(sed 1d out | cut -f 6 | sort -u)" 2
+    done
+done
+
 # --- wrong calls ------------------------------------------------------------------------------------------------------
 
 explains="(patic --help explains)"

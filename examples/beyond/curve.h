@@ -30,8 +30,16 @@
 enum surfmink_curve_status { SURFMINK_CURVE_UNLIKE_EDGES = 100 };
 
 /* As surfmink_strerror and surfmink_status_name, for the status above too. */
-static inline const char *surfmink_curve_strerror(int status);
-static inline const char *surfmink_curve_status_name(int status);
+static inline const char *surfmink_curve_strerror(int status)
+{
+    if (status != SURFMINK_CURVE_UNLIKE_EDGES) return surfmink_strerror(status);
+    return "an edge is more than 1000 times as long as the next one: two corners nearly coincide, or one is sharp";
+}
+
+static inline const char *surfmink_curve_status_name(int status)
+{
+    return status == SURFMINK_CURVE_UNLIKE_EDGES ? "unlike_edges" : surfmink_status_name(status);
+}
 
 /* What is known of the curve.
    order              2: the polygon stands for the curve; 4
@@ -58,7 +66,7 @@ typedef struct surfmink_curve_results {
 } surfmink_curve_results;
 
 /* Doubles to work in, for n corners and ranks up to P. */
-#define SURFMINK_CURVE_SCRATCH(n, P) (12 * (size_t)(n) + 4 * ((size_t)(P) + 2))
+#define SURFMINK_CURVE_SCRATCH(n, P) (12 * (size_t)(n) + 8 * ((size_t)(P) + 2))
 
 /* Measures the smooth closed curve on which the corners of an outline lie; embedded: with its exact normals.
    options            order 2 gives the numbers of surfmink_measure, to the bit; order 4 wants 20 corners or so for each
@@ -95,7 +103,7 @@ typedef struct surfmink_curve_measured {
 } surfmink_curve_measured;
 
 /* Order 4 from measured edges.
-   scratch     3 n    doubles to work in
+   scratch            3 n + 4 P + 4 doubles to work in
    out                the area is 0, and error is left alone: edges do not tell what every second corner would measure
    Errors: those of surfmink_total, for the polygon and for the curve; COINCIDENT_CORNERS (a length of 0); UNLIKE_EDGES;
    NOT_FINITE; BAD_ARGUMENT (bend without twist). Cost: O(n P). */
@@ -107,17 +115,6 @@ static inline int surfmink_curve_edges(const surfmink_curve_measured *edges, int
    ================================================================================================================== */
 
 static const double surfmink_curve__pi = 3.14159265358979323846;
-
-static inline const char *surfmink_curve_strerror(int status)
-{
-    if (status != SURFMINK_CURVE_UNLIKE_EDGES) return surfmink_strerror(status);
-    return "an edge is more than 1000 times as long as the next one: two corners nearly coincide, or one is sharp";
-}
-
-static inline const char *surfmink_curve_status_name(int status)
-{
-    return status == SURFMINK_CURVE_UNLIKE_EDGES ? "unlike_edges" : surfmink_status_name(status);
-}
 
 static inline int surfmink_curve__blame(int status, size_t corner, size_t *bad)
 {
@@ -139,6 +136,7 @@ typedef struct surfmink_curve__arcs {
     surfmink_functionals w;     /* of the arcs: L over unit, S, condition */
     double rise, segments;      /* sum E_i; area between chords and arcs */
     double lead;                /* from the mean direction of arc 0 to that at its middle */
+    double *sum;                /* 4 P + 8 doubles to work in, of P of the call */
     double power, sharpest;     /* sum l_i^(order + 1); largest turn at a corner that is not sharp */
 } surfmink_curve__arcs;
 
@@ -280,20 +278,6 @@ static inline void surfmink_curve__multiply(double w[2], const double z[2])
     w[0] = re;
 }
 
-/* w becomes w z^p. */
-static inline void surfmink_curve__times_power(double w[2], const double z[2], int p)
-{
-    double power[2], square[2];
-    power[0] = z[0];
-    power[1] = z[1];
-    for (; p > 0; p /= 2) {
-        if (p % 2) surfmink_curve__multiply(w, power);
-        square[0] = power[0];
-        square[1] = power[1];
-        surfmink_curve__multiply(power, square);
-    }
-}
-
 /* sum[0] + sum[1] grows by x; sum[1] is what sum[0] rounds off. */
 static inline void surfmink_curve__add(double sum[2], double x)
 {
@@ -302,62 +286,42 @@ static inline void surfmink_curve__add(double sum[2], double x)
     sum[0] = total;
 }
 
-/* Adds to `sum` the parts of p g_p, p = first, first + 1, ... On an arc the phase runs from f - x to f + x, where x =
-   pi D / S, and the mean of exp(i p f) there is sin(p x) / (p x) exp(i p f). sin(p x) is the imaginary part of
-   exp(i x)^p, which keeps its digits however small x is. */
-static inline void surfmink_curve__add_ranks(const surfmink_curve__arcs *c, int first, int ranks, double (*sum)[2])
+/* On an arc the phase runs from f - x to f + x, where x = pi D / S, and the mean of exp(i p f) there is exp(i p f)
+   sin(p x) / (p x). sin(p x) is the imaginary part of exp(i x)^p, which keeps its digits however small x is.
+   In sum stand the real and the imaginary part of p g_p. mu or g may be NULL. */
+static inline void surfmink_curve__integrate(const surfmink_curve__arcs *c, int max_rank, double *mu, double *g)
 {
     static const double straight = 1e-100; /* sin(p x) = p x to the bit, and nothing is divided by 0 */
     double period = c->w.turning / (double)c->windings, path[2] = {0, 0}, phase, x, w[2], z[2], v[2], u[2];
-    size_t i;
-    int k;
-    for (i = 0; i < c->n; ++i) {
+    double *sum = c->sum;
+    size_t i, p, ranks = mu || g ? (size_t)max_rank : 0;
+    memset(sum, 0, 4 * (ranks + 1) * sizeof *sum);
+    for (i = 0; i < c->n && ranks > 0; ++i) {
         if (i > 0) surfmink_curve__add(path, c->turn[i]);
-        phase = 2 * surfmink_curve__pi * ((path[0] + path[1]) / period);
+        phase = 2 * surfmink_curve__pi * ((path[0] + path[1] + c->lead) / period);
         x = surfmink_curve__pi * (c->swept[i] / period);
         if (fabs(x) < straight) x = straight;
         z[0] = cos(phase);
         z[1] = sin(phase);
-        u[0] = v[0] = cos(x);
-        u[1] = v[1] = sin(x);
-        w[0] = c->arc[i] / x * z[0];
-        w[1] = c->arc[i] / x * z[1];
-        surfmink_curve__times_power(w, z, first - 1);
-        surfmink_curve__times_power(v, u, first - 1);
-        for (k = 0; k < ranks; ++k) {
-            surfmink_curve__add(sum[2 * (size_t)k], w[0] * v[1]);
-            surfmink_curve__add(sum[2 * (size_t)k + 1], w[1] * v[1]);
+        u[0] = cos(x);
+        u[1] = sin(x);
+        w[0] = c->arc[i] / x;
+        v[0] = 1;
+        w[1] = v[1] = 0;
+        for (p = 1; p <= ranks; ++p) {
             surfmink_curve__multiply(w, z);
             surfmink_curve__multiply(v, u);
+            surfmink_curve__add(sum + 4 * p, w[0] * v[1]);
+            surfmink_curve__add(sum + 4 * p + 2, w[1] * v[1]);
         }
     }
-}
-
-/* mu or g may be NULL. */
-static inline void surfmink_curve__integrate(const surfmink_curve__arcs *c, int max_rank, double *mu, double *g)
-{
-    enum { RANKS = 24 }; /* summed in one pass over the arcs */
-    double sum[2 * RANKS][2], lead[2], component[2], turned = 2 * surfmink_curve__pi * (c->lead / c->w.turning);
-    int first, ranks, k, p;
-    lead[0] = cos(turned);
-    lead[1] = sin(turned);
-    if (mu) mu[0] = 1;
-    if (g) g[0] = c->w.length * c->unit;
-    if (g) g[1] = 0;
-    for (first = 1; first <= max_rank && (mu || g); first += ranks) {
-        ranks = max_rank - first < RANKS ? max_rank - first + 1 : RANKS;
-        memset(sum, 0, sizeof sum);
-        surfmink_curve__add_ranks(c, first, ranks, sum);
-        for (k = 0; k < ranks; ++k) {
-            p = first + k;
-            component[0] = (sum[2 * (size_t)k][0] + sum[2 * (size_t)k][1]) / p;
-            component[1] = (sum[2 * (size_t)k + 1][0] + sum[2 * (size_t)k + 1][1]) / p;
-            if (mu) mu[p] = fmin(1, hypot(component[0], component[1]) / c->w.length);
-            if (!g) continue;
-            surfmink_curve__times_power(component, lead, p);
-            g[2 * (size_t)p] = component[0] * c->unit;
-            g[2 * (size_t)p + 1] = component[1] * c->unit;
-        }
+    sum[0] = c->w.length;
+    for (p = 0; p <= ranks; ++p) {
+        double re = (sum[4 * p] + sum[4 * p + 1]) / (double)(p > 0 ? p : 1);
+        double im = (sum[4 * p + 2] + sum[4 * p + 3]) / (double)(p > 0 ? p : 1);
+        if (mu) mu[p] = fmin(1, hypot(re, im) / c->w.length);
+        if (g) g[2 * p] = re * c->unit;
+        if (g) g[2 * p + 1] = im * c->unit;
     }
 }
 
@@ -425,6 +389,7 @@ typedef struct surfmink_curve__work {
     double *corner, *normal;             /* 3 n each, of every step-th corner; of a surface: its number */
     unsigned char *sharp;                /* n, of every step-th corner */
     double *fine, *half, *quarter, *one; /* P + 2 each: of all corners, of fewer; of one time round */
+    double *sum;                         /* 4 P + 8, as in surfmink_curve__arcs */
     double unit;                         /* as in surfmink_curve__arcs */
 } surfmink_curve__work;
 
@@ -447,6 +412,7 @@ surfmink_curve__work_of(const surfmink_outline *o, const surfmink_curve_options 
     work.half = work.fine + ranks;
     work.quarter = work.half + ranks;
     work.one = work.quarter + ranks;
+    work.sum = work.one + ranks;
     work.unit = 1;
     return work;
 }
@@ -542,6 +508,7 @@ static inline surfmink_curve__arcs surfmink_curve__arcs_of(const surfmink_curve_
     c.arc = work->arc;
     c.turn = work->turn;
     c.swept = work->swept;
+    c.sum = work->sum;
     c.bend = c.twist = c.curvature = NULL;
     c.constant = work->outline.kind == SURFMINK_SURFACE  ? work->options->curvature
                  : work->outline.kind == SURFMINK_SPHERE ? 1
@@ -732,6 +699,7 @@ static inline int surfmink_curve_edges(const surfmink_curve_measured *edges, int
     c.arc = scratch;
     c.turn = scratch + n;
     c.swept = scratch + 2 * n;
+    c.sum = scratch + 3 * n;
     memcpy(c.arc, edges->length, n * sizeof *c.arc);
     memcpy(c.turn, edges->turning, n * sizeof *c.turn);
     c.bend = edges->bend;

@@ -44,14 +44,6 @@ static inline void surfmink_director__cross(const double *a, const double *b, do
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-static inline void surfmink_director__point(const surfmink_outline *o, size_t i, double x[3])
-{
-    const double *corner = o->corner + (o->kind == SURFMINK_PLANE ? 2 : 3) * (i < o->n ? i : 0);
-    x[0] = corner[0];
-    x[1] = corner[1];
-    x[2] = o->kind == SURFMINK_PLANE ? 0 : corner[2];
-}
-
 /* Co-normal and normal at the middle of edge i. */
 static inline int surfmink_director__edge(const surfmink_outline *o, size_t i, double nu[3], double normal[3])
 {
@@ -71,25 +63,26 @@ static inline int surfmink_director__means(const surfmink_outline *o, const doub
                                            surfmink_middle *m)
 {
     const double least = 1e-6; /* a shorter mean normal is what cancellation leaves, as of a belt round a cylinder */
-    double nu[3], n[3], x[3], y[3], origin[3], sum[3] = {0, 0, 0}, mean[3] = {0, 0, 0}, weight, norm;
-    size_t i;
-    int k, status;
-    surfmink_director__point(o, 0, origin);
+    const size_t dim = o->kind == SURFMINK_PLANE ? 2 : 3;
+    const double *origin = o->corner, *x, *y;
+    double nu[3], n[3], sum[3] = {0, 0, 0}, mean[3] = {0, 0, 0}, weight, norm;
+    size_t i, k;
+    int status;
     for (i = 0; i < o->n; ++i) {
         if ((status = surfmink_director__edge(o, i, nu, n)) != SURFMINK_OK) return status;
-        surfmink_director__point(o, i, x);
-        surfmink_director__point(o, i + 1, y);
+        x = origin + dim * i;
+        y = i + 1 < o->n ? x + dim : origin;
         weight = length[i] / total;
-        for (k = 0; k < 3; ++k) {
+        for (k = 0; k < 3; ++k) mean[k] += weight * n[k];
+        for (k = 0; k < dim; ++k)
             sum[k] += weight * ((0.25 * x[k] - 0.25 * origin[k]) + (0.25 * y[k] - 0.25 * origin[k]));
-            mean[k] += weight * n[k];
-        }
     }
     norm = sqrt(surfmink_director__dot(mean, mean));
     if (!(norm > least)) return SURFMINK_ZERO_NORMAL;
     for (k = 0; k < 3; ++k) {
         m->normal[k] = mean[k] / norm;
-        m->centre[k] = o->kind == SURFMINK_SPHERE ? o->radius * m->normal[k] : (origin[k] + sum[k]) + sum[k];
+        m->centre[k] = k < dim ? (origin[k] + sum[k]) + sum[k] : 0;
+        if (o->kind == SURFMINK_SPHERE) m->centre[k] = o->radius * m->normal[k];
     }
     return SURFMINK_OK;
 }
@@ -129,8 +122,8 @@ static inline int surfmink_director(const surfmink_outline *o, const double *len
 {
     surfmink_middle m = *middle;
     double total = 0, e2[3], nu[3], angle, cosine, sine;
-    size_t i, k, dim = o->kind == SURFMINK_PLANE ? 2 : 3;
-    int p, status;
+    size_t i, k, p, ranks = (size_t)max_rank + 1, dim = o->kind == SURFMINK_PLANE ? 2 : 3;
+    int status;
     if (max_rank < 0 || o->kind == SURFMINK_SURFACE) return SURFMINK_BAD_ARGUMENT;
     if (o->n < 3) return SURFMINK_TOO_FEW_CORNERS;
     for (i = 0; i < o->n; ++i) {
@@ -138,7 +131,7 @@ static inline int surfmink_director(const surfmink_outline *o, const double *len
         if (!(length[i] >= 0)) return SURFMINK_BAD_ARGUMENT;
         total += length[i];
     }
-    for (i = 0; i < 2 * ((size_t)max_rank + 1); ++i)
+    for (i = 0; i < 2 * ranks; ++i)
         if (!(g[i] - g[i] == 0)) return SURFMINK_NOT_FINITE;
     if (!(total - total == 0)) return SURFMINK_NOT_FINITE;
     if (!(total > 0)) return SURFMINK_BAD_ARGUMENT;
@@ -151,17 +144,15 @@ static inline int surfmink_director(const surfmink_outline *o, const double *len
     }
     if (m.direction) { /* 2 P + 2 numbers for now */
         if ((status = surfmink_irreducible(length, lag, o->n, max_rank, m.direction)) != SURFMINK_OK) return status;
-        for (p = 0; p <= max_rank && m.coherence; ++p)
-            m.coherence[p] =
-                fmin(1, hypot(m.direction[2 * (size_t)p], m.direction[2 * (size_t)p + 1]) / m.direction[0]);
+        for (p = 0; p < ranks && m.coherence; ++p)
+            m.coherence[p] = fmin(1, hypot(m.direction[2 * p], m.direction[2 * p + 1]) / m.direction[0]);
     }
-    for (p = max_rank; p > 0 && m.direction; --p) { /* backwards: the sums lie in front of where the vectors go */
-        angle = (atan2(m.direction[2 * (size_t)p + 1], m.direction[2 * (size_t)p]) +
-                 atan2(g[2 * (size_t)p + 1], g[2 * (size_t)p])) /
-                p;
+    for (p = ranks; p-- > 1 && m.direction;) { /* backwards: the sums lie in front of where the vectors go */
+        const double *sum = m.direction + 2 * p;
+        angle = (atan2(sum[1], sum[0]) + atan2(g[2 * p + 1], g[2 * p])) / (double)p;
         cosine = cos(angle);
         sine = sin(angle);
-        for (k = 0; k < dim; ++k) m.direction[(size_t)p * dim + k] = cosine * m.axis[k] + sine * e2[k];
+        for (k = 0; k < dim; ++k) m.direction[p * dim + k] = cosine * m.axis[k] + sine * e2[k];
     }
     for (k = 0; k < dim && m.direction; ++k) m.direction[k] = 0;
     *middle = m;

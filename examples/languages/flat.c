@@ -41,7 +41,7 @@ SURFMINK_DEF int surfmink_flat_measure_surface(const surfmink_surface *surface, 
     surfmink_outline outline = surfmink_on_surface(surface, corner, n);
     surfmink_functionals all;
     int status = surfmink_measure(&outline, max_rank, mu, g, &all, bad);
-    if (status == SURFMINK_OK) put_functionals(&all, NAN, w);
+    if (status == SURFMINK_OK) put_functionals(&all, (double)NAN, w);
     return status;
 }
 

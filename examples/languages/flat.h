@@ -41,7 +41,7 @@ SURFMINK_DEF size_t surfmink_flat_batch(int kind, const double *corner, const do
 /* surfmink_curve of curve.h, whose status may be 100: unlike_edges.
    order              2 or 4
    sharp       n      not 0 where the curve itself has a corner; or NULL
-   scratch            12 n + 4 (P + 2) numbers to work in */
+   scratch            12 n + 8 (P + 2) numbers to work in */
 SURFMINK_DEF int surfmink_flat_curve(int kind, const double *corner, const double *normal, size_t n, double radius,
                                      int order, const unsigned char *sharp, int max_rank, double *mu, double *error,
                                      double *g, double *w, double *scratch, size_t *bad);

@@ -510,7 +510,7 @@ def _curve(outlines, offset, max_rank, order, sharp):
 
     def one(rows):
         these, error = outlines[rows], np.empty(max_rank + 1)
-        scratch = np.empty(12 * len(these) + 4 * (max_rank + 2))
+        scratch = np.empty(12 * len(these) + 8 * (max_rank + 2))
         flags = None if sharp is None else _at(sharp[rows])
 
         def call(out, bad):

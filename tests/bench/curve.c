@@ -1,10 +1,8 @@
 /* curve.c - instructions a corner of examples/beyond/curve.h, for the table in docs/internals/beyond.md.
 
-     cc -std=c99 -O2 -I. tests/bench/curve.c -o curve -lm
-     for way in plane sphere embedded; do for what in 0 1 2 3; do
-       for calls in 0 10; do
-         valgrind --tool=callgrind --callgrind-out-file=/dev/null ./curve $way $what $calls 2>&1 | grep Collected
-       done; done; done        the difference, over 10000, is instructions a corner
+     cc -std=c99 -O2 -I. tests/bench/curve.c -o curve -lm && sh tests/bench/count_curve.sh ./curve
+
+     ./curve plane|sphere|embedded WHAT CALLS
 
    Outlines of 1000 corners, mu_0 .. mu_6. What: 0 surfmink_measure, 1 order 4, 2 order 2 with errors, 3 order 4 with
    errors. */

@@ -28,7 +28,7 @@ program languages
     real(c_double) :: square(2, 4) = reshape([0, 0, 1, 0, 1, 1, 0, 1], [2, 4])
     real(c_double) :: octant(3, 3) = reshape([0, 0, 1, 1, 0, 0, 0, 1, 0], [3, 3])
     real(c_double), parameter :: unit = 1
-    real(c_double) :: two(2, 8), space(3, 7), mu(0:p), g(2, 0:p), theta(0:p), lambda(0:p), scratch(100), w(5)
+    real(c_double) :: two(2, 8), space(3, 7), mu(0:p), g(2, 0:p), theta(0:p), lambda(0:p), scratch(200), w(5)
     real(c_double) :: mus(0:p, 2), gs(2, 0:p, 2), thetas(0:p, 2), length(2), turning(2), area(2), error(0:p)
     real(c_double) :: by_mu(0:p), by_corner(2, 4), by_space(3, 3), by_normal(3, 3), centre(3), normal(3)
     real(c_double) :: direction(3, 0:p), coherence(0:p)
