@@ -32,7 +32,8 @@ awk "$columns"'
 echo "3. A curved tissue: does a cell look elongated because it is, or because it is tilted?"
 "$surfmink" --svg "$pictures/tissue.svg" --color-by mu_6 --view 0,0,1 --unit µm "$data/tissue.tsv" > "$table" || exit 1
 "$surfmink" --svg "$pictures/tissue_ranks.svg" --color-by mu_2,mu_4,mu_5,mu_6 --unit µm \
-    --histogram "$pictures/tissue_mu.svg" --histogram-of mu_2,mu_4,mu_5,mu_6 --ply "$pictures/tissue.ply" "$data/tissue.tsv" > "$flat" || exit 1
+    --histogram "$pictures/tissue_mu.svg" --histogram-of mu_2,mu_4,mu_5,mu_6 \
+    --ply "$pictures/tissue.ply" "$data/tissue.tsv" > "$flat" || exit 1
 "$surfmink" --scatter "$pictures/tissue_scatter.svg" --title "Elongated and hexagonal?" "$data/tissue.tsv" > "$flat"
 # What a microscope sees from above: x and y of the cells whose normals point up. (Those that fold over at the rim are
 # refused.)

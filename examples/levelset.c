@@ -1,7 +1,7 @@
 /* levelset.c - outlines where a scalar has a given value: on the vertices of a mesh, or in the pixels of a grey image.
 
-   A concentration on a membrane, a temperature on a globe, the brightness of a picture: how elongated, how triangular are
-   the regions where it is low or high? This command cuts them out, and surfmink measures them:
+   A concentration on a membrane, a temperature on a globe, the brightness of a picture: how elongated, how triangular
+   are the regions where it is low or high? This command cuts them out, and surfmink measures them:
 
      levelset mesh.off field.txt --at 0.5 | surfmink --reverse auto
      levelset image.tif --at 128 --inside above | surfmink --reverse auto

@@ -275,8 +275,8 @@ static void add_corner(sums *all, double x, double y, int is_inside)
     if (hypot(x, y) > 0) add_edge(all, -sign * x, sign * y);
 }
 
-/* One square: z[0] at (0, 0), z[1] at (1, 0), z[2] at (0, 1), z[3] at (1, 1), above the level or not. No table: a corner
-   is cut off if both its neighbours are on the other side; else the cut is straight across. */
+/* One square: z[0] at (0, 0), z[1] at (1, 0), z[2] at (0, 1), z[3] at (1, 1), above the level or not. No table: a
+   corner is cut off if both its neighbours are on the other side; else the cut is straight across. */
 static void add_square(sums *all, const double z[4], double level)
 {
     static const int across[4] = {3, 2, 1, 0};
@@ -459,8 +459,8 @@ typedef struct sphere_chart {
     grey g;
 } sphere_chart;
 
-/* The unit sphere about its north pole, stereographic, from above: column 30 and row 30 are the pole. Mirrored in x; and
-   folded behind a column, from which on it comes back. */
+/* The unit sphere about its north pole, stereographic, from above: column 30 and row 30 are the pole. Mirrored in x;
+   and folded behind a column, from which on it comes back. */
 static void chart_of_sphere(sphere_chart *s, int is_mirrored, int fold)
 {
     static double planes[3 * PIXELS];

@@ -602,8 +602,8 @@ check "closed: the note" "$(sed -n 2p out | sed 's/area [0-9.]*/area/')" \
 measure
 near "closed: its area" "$(field mu 1 area)" "$(grep -o 'area [0-9.]*' out | cut -d ' ' -f 2)"
 run cone.pgm --at -1 --inside above --close
-check "all of an image: its border" "$status $(awk '/^0/ { print ($3 < 0 || $3 > 11 || $4 > 0 || $4 < -8) }' out | uniq -c |
-    tr -s ' ')" "0  38 0"
+check "all of an image: its border" "$status $(awk '/^0/ { print ($3 < 0 || $3 > 11 || $4 > 0 || $4 < -8) }' out |
+    uniq -c | tr -s ' ')" "0  38 0"
 run cone.pgm --at 13 --at 15 --close --loops
 check "loops of two levels: outer ones and holes" "$(grep -v '^#' out | cut -f 1-5 | tr '\n\t' '; ')" \
     "loop level part kind of;0 13 0 hole 1;1 13 0 outer -;2 15 1 hole 3;3 15 1 outer -;"

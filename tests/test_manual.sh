@@ -154,8 +154,8 @@ for picture in pictures/transport pictures/pixels paper/tables paper/levelset; d
     check "$picture.svg: no curve on the frame, no label in a curve" "$(hidden docs/$picture.svg)" "1 0 0"
 done
 check "tables.svg: what lies on another curve is narrower" "$(
-    grep -o 'stroke="#9bd5c4" stroke-width="5"\|stroke="#cc79a7" stroke-width="1.4"' docs/paper/tables.svg | sort | uniq -c |
-        awk '{ printf "%d ", ($1 > 1) }')" "1 1 "
+    grep -o 'stroke="#9bd5c4" stroke-width="5"\|stroke="#cc79a7" stroke-width="1.4"' docs/paper/tables.svg |
+        sort | uniq -c | awk '{ printf "%d ", ($1 > 1) }')" "1 1 "
 "$build/tissue" --cells 60 --relax 1 --axes 90,60,50 > "$work/wild.tsv"
 "$build/surfmink" --color-by 6 --unit µm --svg "$work/relax_before.svg" "$work/wild.tsv" > "$work/said"
 alike "docs/pictures/relax_before.svg is up to date (docs/internals/beyond.md)" "$work/relax_before.svg" \

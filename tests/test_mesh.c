@@ -1252,8 +1252,8 @@ static double flat_area(const mesh_loops *loops, size_t k)
     return area;
 }
 
-/* Random fields on a square with a hole: below or above the level, closed loops are the whole boundary of the inside, and
-   those of one part enclose something. */
+/* Random fields on a square with a hole: below or above the level, closed loops are the whole boundary of the inside,
+   and those of one part enclose something. */
 THEOREM(loops_closed_along_the_boundary_enclose_the_inside)
 {
     enum { COUNT = 14 };

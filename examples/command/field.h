@@ -1,9 +1,10 @@
 /* field.h - the picture of a p-atic field: cells filled by hue or by order, rays along the directions, defects.
 
    A direction needs something to be measured from. Here it is what points to the right on the page, carried from the
-   eye to the cell by the smallest rotation, so a hue says how the rays lie on the page. Hues go once round for 1/p of
-   a turn. Rays lie along the directions of -lambda_p unless --strokes across asks for those of the table. Defects are told apart without colour: a black disc with a plus, a white one with a minus; a charge of k/p
-   has k - 1 rings more, and where there are few it is printed. */
+   eye to the cell by the smallest rotation, so a hue says how the rays lie on the page. Hues go once round for 1/p of a
+   turn. Rays lie along the directions of -lambda_p unless --strokes across asks for those of the table. Defects are
+   told apart without colour: a black disc with a plus, a white one with a minus; a charge of k/p has k - 1 rings more,
+   and where there are few it is printed. */
 #ifndef SURFMINK_COMMAND_FIELD_H
 #define SURFMINK_COMMAND_FIELD_H
 
@@ -143,8 +144,8 @@ static void put_place(FILE *out, const double page[2])
     }
 }
 
-/* A colour for every angle, mixed with white where the order is low, and so light that dark rays show on all of them; or
-   that of the order, as surfmink colours mu_p. */
+/* A colour for every angle, mixed with white where the order is low, and so light that dark rays show on all of them;
+   or that of the order, as surfmink colours mu_p. */
 static void find_fill(double angle, double order, int by_order, int part[3])
 {
     static const double third = 2.0943951023931953;

@@ -1,7 +1,8 @@
 /* map.h - step 5 of the command, if asked for: the shapes of a picture -> a picture of them, in one panel or several.
 
    Panels differ in the column that fills the outlines and in where they are seen from. All have the same scale. Each
-   column has its own colours, for some are always smaller than others: one bar at the right, or one below each panel. */
+   column has its own colours, for some are always smaller than others: one bar at the right, or one below each panel.
+   */
 #ifndef SURFMINK_COMMAND_MAP_H
 #define SURFMINK_COMMAND_MAP_H
 
@@ -464,7 +465,8 @@ static const double STROKE_REACH = 0.6;
 /* There are none where mu_p is below this part of the end of its bar: the directions of hardly anything. */
 static const double STROKE_LEAST = 0.05;
 
-/* The strokes of the outline that find_outline has found, and their length in pixels; 0 where they could not be seen. */
+/* The strokes of the outline that find_outline has found, and their length in pixels; 0 where they could not be seen.
+   */
 static double find_strokes(const drawing *d, const picture *g, const shape *s, strokes *to)
 {
     const double *director = director_here(d, g, s);

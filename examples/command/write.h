@@ -5,8 +5,8 @@
 #include "measure.h"
 #include "number.h"
 
-/* One walk over the columns does all of these, so that names and values cannot get out of step: it writes a row, or finds
-   columns by their names, or takes their values. */
+/* One walk over the columns does all of these, so that names and values cannot get out of step: it writes a row, or
+   finds columns by their names, or takes their values. */
 enum row { NAMES, VALUES, JSON_OBJECT, FIND, TAKE };
 
 /* A column of numbers that a picture shows. */

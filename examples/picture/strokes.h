@@ -1,9 +1,9 @@
 /* strokes.h - the strokes that show the p directions of an outline, and how they stay inside it.
 
-   All of this happens in the plane of the picture. A stroke ends where it has gone STROKE_ROOM of the way from the middle
-   to the outline, if it would be longer; the others of the same outline are then shortened in proportion, so that they
-   still look like p directions. A middle that lies outside, as that of a crescent, or too close to the outline, moves to
-   the middle of a chord. */
+   All of this happens in the plane of the picture. A stroke ends where it has gone STROKE_ROOM of the way from the
+   middle to the outline, if it would be longer; the others of the same outline are then shortened in proportion, so
+   that they still look like p directions. A middle that lies outside, as that of a crescent, or too close to the
+   outline, moves to the middle of a chord. */
 #ifndef SURFMINK_PICTURE_STROKES_H
 #define SURFMINK_PICTURE_STROKES_H
 

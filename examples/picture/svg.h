@@ -18,8 +18,8 @@ static const int color_map[11][3] = {{43, 33, 97},    {23, 58, 123},   {0, 80, 1
                                      {2, 126, 138},   {1, 150, 142},   {0, 171, 138},  {77, 189, 129},
                                      {142, 204, 122}, {196, 218, 126}, {243, 232, 144}};
 
-/* For angles, whose ends are the same: from dark over blue to pale in the middle, over red to the same dark. Straight in
-   OKLab between lightness 0.27, 0.58 and 0.95; lightness alone tells how far an angle is from 0. */
+/* For angles, whose ends are the same: from dark over blue to pale in the middle, over red to the same dark. Straight
+   in OKLab between lightness 0.27, 0.58 and 0.95; lightness alone tells how far an angle is from 0. */
 static const int turn_map[11][3] = {{51, 29, 52},    {63, 66, 106},   {66, 104, 166},  {100, 147, 207},
                                     {168, 193, 224}, {238, 238, 238}, {227, 176, 170}, {207, 113, 104},
                                     {164, 70, 69},   {105, 50, 62},   {51, 29, 52}};

@@ -1,7 +1,7 @@
 /* mesh.h - triangle meshes and their level sets, for surfmink - MIT or public domain, as you like (see surfmink.h)
 
-   Copy it with meshfile.h, which reads the files, and contour.h, which keeps the loops, beside surfmink.h, which it does
-   not need. C99 and C++, only libc and libm.
+   Copy it with meshfile.h, which reads the files, and contour.h, which keeps the loops, beside surfmink.h, which it
+   does not need. C99 and C++, only libc and libm.
 
    WHAT IT DOES
      Reads a triangle mesh, and cuts it where a scalar on its vertices has a given value. Out come outlines as
