@@ -591,7 +591,8 @@ for first in 1 2 3 4 5 6; do
     { echo 'x y' && printf '3 3\n4 3\n5 3\n6 3\n5 3\n4 3\n' | awk -v f="$first" '
         { row[NR] = $0 } END { for (i = 0; i < 6; ++i) print row[(i + f - 1) % 6 + 1] }'; } > in
     run
-    measured "a needle from corner $first" status ok
+    check "a needle from corner $first" "$status $(column status)" "0 ok"
+    has "a needle from corner $first is told" err ": 0: the outline goes there and back at this corner, a spike, of "
 done
 
 # Corners that almost coincide: a regular pentagon, its first corner again with an error, or a corner twice.
@@ -663,7 +664,7 @@ awk 'BEGIN { print "x y"; n = 3000; for (i = 0; i < n; ++i) { j = i == 10 ? 17 :
 run
 check "beyond 2,000 corners one has to ask" "$(field 1 status)" ok
 run --crossings always
-refused "--crossings always" crosses_itself 2 ": the edges from lines "
+refused "--crossings always" crosses_itself 11 ": the outline crosses itself: the edges from lines 11 and 19 cross"
 printf 'lon lat\n1 0\n1 6\n0 6\n6 4\n0 0\n' > in
 run
 refused "on a sphere" crosses_itself 2 ": the edges from lines 2 and "
@@ -672,11 +673,53 @@ run
 refused "in space" crosses_itself 2 ": the edges from lines 2 and "
 printf 'x y\n0 0\n4 0\n5 -2\n4 -2\n5 0\n10 0\n10 4\n12 5\n12 4\n10 5\n10 10\n0 10\n' > in
 run --reverse auto
-refused "with turning number minus one: not turned round" crosses_itself 2
+refused "with turning number minus one: not turned round" crosses_itself 3
 
 printf 'lon lat\n0 0\n0 50\n50 50\n50 0\n' > in
 run
-has "more than a hemisphere is called that" err "runs clockwise: its left side is more than a hemisphere"
+has "more than a hemisphere is called that" err "-:2: 0: the left side is more than a hemisphere; --reverse auto "
+for side in auto always; do
+    run --reverse $side
+    check "the other side: --reverse $side" "$status $(column status)" "0 ok"
+    check "the other side is told: --reverse $side" "$(cat err)" \
+        "-:2: 0: turned round: measured is the side to the right of the corners in the file, less than a hemisphere"
+done
+run --reverse auto --quiet
+measured "the other side: --quiet" n 4
+
+# What may be meant otherwise.
+printf 'x y z\n2 0 0\n0 3.1 0\n0 0 2\n' > in
+run --surface sphere
+check "radii that differ: measured" "$status $(field 1 n)" "0 3"
+check "radii that differ are told" "$(cat err)" "-:3: corners lie 2 to 3.1 from the origin: a sphere is to have its \
+middle there, and only the directions of corners count"
+sed 's/3.1/2.9/' in > other && mv other in
+run --surface sphere
+measured "radii that hardly differ" n 3
+printf 'x\ty\n1,234\t0\n1,5\t0,5\n0\t7\n' > in
+run
+check "a comma that may stand between thousands: measured" "$status $(field 1 n)" "0 3"
+check "a comma that may stand between thousands" "$(cat err)" \
+    "-:2: 1,234 is read as 1.234: a decimal comma, not one between thousands"
+printf 'x\ty\n0,234\t0\n1,234\t0,5\n0\t7\n' > in
+run
+measured "a comma that cannot" n 3
+
+# Warnings of one kind are told once, and counted.
+{ echo 'cell x y' && for id in a b c a b; do printf '%s 0 0\n%s 3 0\n%s 4 0\n%s 3 0\n%s 0 5\n' $id $id $id $id $id; done
+printf 'd 0 0\nd 0 1\nd 1 0\n'; } > in
+run
+check "warnings are counted" "$(tail -n 1 err)" \
+    "surfmink: 5 measured, 1 refused; 7 warnings, of which the first of each kind are told"
+check "warnings are told once" "$(cut -d : -f 2- err | sed 4q)" "$(cut -d : -f 2- << 'END'
+-:17: id a comes again: only lines that follow each other are one outline
+-:4: a: the outline goes there and back at this corner, a spike, of which both sides count; --repair takes it out
+-:27: d: the corners run clockwise (their turns sum up to less than 0); --reverse auto turns such outlines round; if y points down, as in images, --y-down does, and keeps directions right
+ 5 measured, 1 refused; 7 warnings, of which the first of each kind are told
+END
+)"
+run --quiet
+check "but not with --quiet" "$(cat err)" ""
 
 # --- names and numbers of others --------------------------------------------------------------------------------------
 
@@ -793,7 +836,7 @@ printf 'b %s\n' '-1 -1' '-1 3' '3 3' '3 -1' '0 0' '0 2' '2 2' '2 0' '0 0' >> in
 printf 'c 0 0\nc 0 1\nc 1 0\n' >> in
 run --reverse auto
 check "what is turned round changes nothing for the others" "$(column status) $(cut -d : -f 2 err | tr '\n' ' ')" \
-    "coincident_corners crosses_itself ok 4 5 "
+    "coincident_corners crosses_itself ok 4 9 "
 awk 'BEGIN { print "cell x y"; for (i = 1; i <= 5000; ++i) print i " 0 0\n" i " 1 0\n" i " 1 1" }' > in
 run --max-rank 250
 check "many polygons, many ranks" "$(tail -n 1 out | cut -f 1-3)" "$(printf '5000\t3\tok')"

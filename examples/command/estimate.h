@@ -83,6 +83,7 @@ static int next_of_estimate(estimate *e, polygon *p)
     if (face == f->faces) return 0;
     ++e->next;
     begin_polygon(p, EMBEDDED, e->id[face], f->line[face]);
+    p->has_means = 1;
     find_fault(p, e->fault[face], e->fault_line[face]);
     for (i = f->begin[face]; i < f->begin[face + 1]; ++i) {
         size_t v = f->corner[i];

@@ -17,7 +17,7 @@ typedef struct measure {
     unsigned long hint_line;   /* of what may be the cause of a refusal; 0: not known */
     double hint_edge;          /* the cause: an edge so short, of the perimeter; 0: a spike */
     int reversed;              /* --reverse auto turned it round */
-    int surface;
+    int surface, has_means;    /* has_means: its normals are means over faces */
     double length, turning, area;
     const double *mu;    /* P + 1 */
     const double *theta; /* P + 1 */
@@ -330,7 +330,8 @@ static unsigned long line_to_blame(const polygon *p, size_t bad)
     return bad < p->n ? p->line[bad] : p->first_line;
 }
 
-/* What may be the cause of a refusal by the whole outline: a spike, or an edge that is none. */
+/* What may be the cause of a refusal by the whole outline: a spike, or an edge that is none. A spike in an outline that
+   is measured is a hint, too. */
 static void find_hint(measure *one, const polygon *p)
 {
     size_t at;
@@ -338,11 +339,11 @@ static void find_hint(measure *one, const polygon *p)
     one->hint_edge = 0;
     if (p->n < 3 || p->fault != SURFMINK_OK) return;
     if (one->status != SURFMINK_CLOCKWISE && one->status != SURFMINK_CROSSES_ITSELF &&
-        one->status != SURFMINK_TOO_MUCH_CURVATURE && one->status != SURFMINK_COINCIDENT_CORNERS)
+        one->status != SURFMINK_TOO_MUCH_CURVATURE && one->status != SURFMINK_OK)
         return;
     at = find_spike(p);
-    if (at < p->n && one->status != SURFMINK_COINCIDENT_CORNERS) one->hint_line = p->line[at];
-    if (at < p->n || one->status == SURFMINK_COINCIDENT_CORNERS) return;
+    if (at < p->n) one->hint_line = p->line[at];
+    if (at < p->n || one->status == SURFMINK_OK) return;
     at = find_short_edge(p, &one->hint_edge);
     if (at < p->n) one->hint_line = p->line[at + 1 < p->n ? at + 1 : 0];
 }
@@ -357,6 +358,7 @@ static measure measure_of(measures *m, const batch *b, size_t i, const options *
     one.n = p->n;
     one.id = p->id;
     one.surface = p->surface;
+    one.has_means = p->has_means;
     one.reversed = m->reversed[i];
     for (k = 0; k < 2; ++k) {
         size_t edge = m->crossing[2 * i + k];

@@ -9,16 +9,16 @@ static const char *advice(const measure *m, const options *o)
 {
     switch (m->status) {
     case SURFMINK_CLOCKWISE:
-        if (m->surface == SPHERE)
-            return o->reverse == REVERSE_ALWAYS
-                       ? ": its left side is more than a hemisphere; --reverse auto turns only such outlines round"
-                       : ": its left side is more than a hemisphere; --reverse auto measures the other side, or were "
-                         "lon and lat exchanged?";
         if (o->reverse == REVERSE_ALWAYS) return "; --reverse auto turns only such outlines round";
+        if (m->surface == SPHERE)
+            return "; --reverse auto measures the other side of such outlines; or were lon and lat exchanged?";
         return m->surface == PLANE ? "; --reverse auto turns such outlines round; if y points down, as in images, "
                                      "--y-down does, and keeps directions right"
                                    : "; --reverse auto turns such outlines round; or normals point inwards";
-    case SURFMINK_OPPOSITE_NORMALS: return ": one of them may be flipped";
+    case SURFMINK_OPPOSITE_NORMALS:
+        return m->has_means ? ": they are means over faces, and these meet too sharply here; a finer mesh helps, or "
+                              "one with normals of its own"
+                            : ": one of them may be flipped";
     case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them, --repair also seams and spikes";
     case SURFMINK_BAD_ARGUMENT:
         return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees; x y of a map want --surface "
@@ -30,17 +30,32 @@ static const char *advice(const measure *m, const options *o)
     }
 }
 
-/* The reason of a refusal; on a sphere `clockwise` and more than a hemisphere are the same, and the latter is what one
-   sees. */
+/* The reason of a refusal. On a sphere every outline runs counter-clockwise about one of its sides; where edges that
+   cross have been found, nothing had to contradict each other. */
 static const char *reason(const measure *m)
 {
-    if (m->status == SURFMINK_CLOCKWISE && m->surface == SPHERE) return "runs clockwise";
+    if (m->status == SURFMINK_CLOCKWISE && m->surface == SPHERE) return "the left side is more than a hemisphere";
+    if (m->status == SURFMINK_CROSSES_ITSELF && m->crossing[0] && m->crossing[1]) return "the outline crosses itself";
     return status_text(m->status);
+}
+
+/* What is to be said about an outline that has been measured. */
+static void warn_about(const char *name, const measure *m, const options *o)
+{
+    if (m->status != SURFMINK_OK) return;
+    if (m->hint_line && warns(WARN_SPIKE))
+        remark("%s:%lu: %s: the outline goes there and back at this corner, a spike, of which both sides count; "
+               "--repair takes it out",
+               name, m->hint_line, m->id);
+    if (m->surface == SPHERE && (m->reversed || o->reverse == REVERSE_ALWAYS) && warns(WARN_SIDE))
+        remark("%s:%lu: %s: turned round: measured is the side to the right of the corners in the file, less than a "
+               "hemisphere",
+               name, m->line, m->id);
 }
 
 static void write_refusal(FILE *out, const char *name, const measure *m, const options *o)
 {
-    unsigned long line = m->hint_line ? m->hint_line : m->line;
+    unsigned long line = m->hint_line ? m->hint_line : m->crossing[0] && m->crossing[1] ? m->crossing[0] : m->line;
     put_harmless(out, name);
     if (line > 0) fprintf(out, ":%lu", line);
     fputs(": ", out);
