@@ -687,6 +687,16 @@ done
 run --reverse auto --quiet
 measured "the other side: --quiet" n 4
 
+# Where normals differ too much, what seems to cross is told; the crossing edges of a face are counted.
+printf 'OFF\n4 1 0\n0 0 0\n4 0 0\n0 4 0\n5 4 0\n4 0 1 2 3\n' > in
+run
+has "edges of a face that cross" err "-:7: 0: the outline crosses itself: its edges 1 and 3 (from 0) cross"
+printf 'x y z nx ny nz\n13 14 3.3 0 1 0\n28 117 5.3 0 0 1\n127 0 7.3 0 0 1\n126 105 2.7 0 0 1\n' > in
+run
+check "what seems to cross: measured" "$status $(field 1 status)" "0 ok"
+check "what seems to cross is told" "$(cat err)" "-:3: 0: the edges from lines 3 and 5 cross as seen from above; the \
+normals differ too much to tell whether they do on the surface"
+
 # What may be meant otherwise.
 printf 'x y z\n2 0 0\n0 3.1 0\n0 0 2\n' > in
 run --surface sphere

@@ -96,6 +96,7 @@ enum warning {
     WARN_COMMA,
     WARN_RADIUS,
     WARN_SPIKE,
+    WARN_CROSSING,
     WARN_SIDE,
     WARN_STAIRS,
     WARN_UNEVEN,

@@ -13,11 +13,12 @@ typedef struct measure {
     size_t n;           /* corners, as measured */
     const char *id;     /* as long as the batch is */
     unsigned long line; /* of the corner to blame, or of the whole outline; 0: it has none */
-    unsigned long crossing[2]; /* lines of two edges that cross; 0: not known */
-    unsigned long hint_line;   /* of what may be the cause of a refusal; 0: not known */
-    double hint_edge;          /* the cause: an edge so short, of the perimeter; 0: a spike */
-    int reversed;              /* --reverse auto turned it round */
-    int surface, has_means;    /* has_means: its normals are means over faces */
+    size_t crossing[2]; /* two edges that cross, or if the status is OK seem to; n: not known */
+    unsigned long crossing_line[2];
+    unsigned long hint_line; /* of what may be the cause of a refusal; 0: not known */
+    double hint_edge;        /* the cause: an edge so short, of the perimeter; 0: a spike */
+    int reversed;            /* --reverse auto turned it round */
+    int surface, has_means;  /* has_means: its normals are means over faces */
     double length, turning, area;
     const double *mu;    /* P + 1 */
     const double *theta; /* P + 1 */
@@ -361,8 +362,8 @@ static measure measure_of(measures *m, const batch *b, size_t i, const options *
     one.has_means = p->has_means;
     one.reversed = m->reversed[i];
     for (k = 0; k < 2; ++k) {
-        size_t edge = m->crossing[2 * i + k];
-        one.crossing[k] = edge < p->n ? p->line[edge] : 0;
+        one.crossing[k] = m->crossing[2 * i + k];
+        one.crossing_line[k] = one.crossing[k] < p->n ? p->line[one.crossing[k]] : 0;
     }
     find_hint(&one, p);
     one.line = one.status == SURFMINK_OK ? p->first_line : line_to_blame(p, m->of.bad[i]);

@@ -35,14 +35,29 @@ static const char *advice(const measure *m, const options *o)
 static const char *reason(const measure *m)
 {
     if (m->status == SURFMINK_CLOCKWISE && m->surface == SPHERE) return "the left side is more than a hemisphere";
-    if (m->status == SURFMINK_CROSSES_ITSELF && m->crossing[0] && m->crossing[1]) return "the outline crosses itself";
+    if (m->status == SURFMINK_CROSSES_ITSELF && m->crossing[0] < m->n) return "the outline crosses itself";
     return status_text(m->status);
+}
+
+/* Which edges cross. Those of a face stand on one line, and are counted. */
+static const char *name_crossing(const measure *m, char *text, size_t size)
+{
+    if (m->crossing_line[0] == m->crossing_line[1])
+        snprintf(text, size, "its edges %lu and %lu (from 0) cross", (unsigned long)m->crossing[0],
+                 (unsigned long)m->crossing[1]);
+    else
+        snprintf(text, size, "the edges from lines %lu and %lu cross", m->crossing_line[0], m->crossing_line[1]);
+    return text;
 }
 
 /* What is to be said about an outline that has been measured. */
 static void warn_about(const char *name, const measure *m, const options *o)
 {
+    char crossing[100];
     if (m->status != SURFMINK_OK) return;
+    if (m->crossing[0] < m->n && warns(WARN_CROSSING))
+        remark("%s:%lu: %s: %s as seen from above; the normals differ too much to tell whether they do on the surface",
+               name, m->crossing_line[0], m->id, name_crossing(m, crossing, sizeof crossing));
     if (m->hint_line && warns(WARN_SPIKE))
         remark("%s:%lu: %s: the outline goes there and back at this corner, a spike, of which both sides count; "
                "--repair takes it out",
@@ -55,14 +70,15 @@ static void warn_about(const char *name, const measure *m, const options *o)
 
 static void write_refusal(FILE *out, const char *name, const measure *m, const options *o)
 {
-    unsigned long line = m->hint_line ? m->hint_line : m->crossing[0] && m->crossing[1] ? m->crossing[0] : m->line;
+    int crosses = m->status == SURFMINK_CROSSES_ITSELF && m->crossing[0] < m->n;
+    unsigned long line = m->hint_line ? m->hint_line : crosses ? m->crossing_line[0] : m->line;
+    char crossing[100];
     put_harmless(out, name);
     if (line > 0) fprintf(out, ":%lu", line);
     fputs(": ", out);
     put_harmless(out, m->id);
     fprintf(out, ": %s", reason(m));
-    if (m->status == SURFMINK_CROSSES_ITSELF && m->crossing[0] && m->crossing[1])
-        fprintf(out, ": the edges from lines %lu and %lu cross", m->crossing[0], m->crossing[1]);
+    if (crosses) fprintf(out, ": %s", name_crossing(m, crossing, sizeof crossing));
     if (m->hint_line && m->hint_edge > 0)
         fprintf(out, "; the edge that ends here is only %.1g of the perimeter long: --merge %.0eL drops it",
                 m->hint_edge, 10 * m->hint_edge);

@@ -193,6 +193,7 @@ static int run_command(const char *text)
     held_back.write = NULL;
     status = world_run(command_main);
     CLAIM(status == EXIT_MEASURED || status == EXIT_TROUBLE || status == EXIT_REFUSED);
+    if (world.said) claim_table(world.said);
     CLAIM(status != EXIT_TROUBLE || strncmp(world.complained, "-:", 2) == 0 || strstr(world.complained, "\n-:"));
     return status;
 }
