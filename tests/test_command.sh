@@ -2,6 +2,7 @@
 # test_command.sh COMMAND: holds the command `surfmink` to what its --help promises. Needs only a POSIX shell.
 . "$(dirname "$0")/harness.sh"
 surfmink=$(absolute "$1")
+data=$(absolute "$(dirname "$0")/../examples/data")
 cd "$work" || exit 1
 
 # --- harness ----------------------------------------------------------------------------------------------------------
@@ -343,7 +344,7 @@ near "merge: area" "$(field 1 area)" 1
 printf 'cell x y z\na 1 0 0\na 2 0 0\na 0 1 0\na 0 0 1\n' > in
 run --surface sphere
 check "on a sphere one direction is one point" "$(field 1 status)" coincident_corners
-run --surface sphere --merge
+run --quiet --surface sphere --merge
 measured "merge on a sphere" n 3
 printf 'cell x y z nx ny nz\na 0 0 0  0 0 1\na 0 0 0  0 0 1\na 1 0 0  0 0 1\na 1 1 0  0 0 0\n' > in
 run --merge
@@ -696,6 +697,39 @@ run
 check "what seems to cross: measured" "$status $(field 1 status)" "0 ok"
 check "what seems to cross is told" "$(cat err)" "-:3: 0: the edges from lines 3 and 5 cross as seen from above; the \
 normals differ too much to tell whether they do on the surface"
+
+# Files as other programs write them.
+printf 'Index,X (microns),Y (microns)\n0,1.5,0.5\n1,2.5,0.5\n2,2.5,1.5\n3,1.5,1.5\n' > in
+run
+measured "ImageJ: an index that counts rows is no id" n 4
+printf 'index,shape-type,vertex-index,axis-0,axis-1\n' > in
+printf '%s\n' 0,polygon,0,9,1 0,polygon,1,9,2 0,polygon,2,8,2 1,polygon,0,4,1 1,polygon,1,4,2 1,polygon,2,3,1 >> in
+run
+check "napari: an index in runs is an id" "$status $(column id) $(column n)" "0 0 1 3 3"
+has "napari: and that is told" err "-: id: index, which is the same in rows that follow each other (--id names others)"
+printf 'fid,vertex_index,vertex_part,vertex_part_index,x,y\n' > in
+printf '1,%s\n' 2,0,2,1,1 0,0,0,0,0 1,0,1,1,0 >> in
+run --quiet
+measured "QGIS: vertices" id 1/0
+near "QGIS: in their order" "$(field 1 area)" 0.5
+printf '"Points:0","Points:1","Points:2","Normals:0","Normals:1","Normals:2"\n' > in
+printf '%s\n' 0,0,0,0,0,1 1,0,0,0,0,1 1,1,0,0,0,1 >> in
+run
+measured "ParaView: points and normals" n 3
+printf 'WKT,id\n"POLYGON ((0 0,1 0,1 1,0 0))",1\n' > in
+run
+stopped "geometry in a field" "-:1: column 'WKT': geometry within a field is not read; save the layer as GeoJSON"
+printf '> -Z1\n0 0\n1 0\n1 1\n> -Z2\n0 0\n2 0\n0 2\n' > in
+run
+stopped "GMT: without names" "-:2: this line should name the columns: x y, lon lat, x y z or x y z nx ny nz; --columns x,y"
+run --columns x,y
+measured "GMT: with names" area "0.5 2"
+printf 'cell,x,y\n1,0,0\n2,1,0\n3,1,1\n' > in
+run
+refused "an id a row" too_few_corners 2 "; if every row has an id of its own, --id names the columns that outlines have in "
+printf '\357\273\277Zelle;x [\302\265m];y [\302\265m]\r\n1;0,0;0,0\r\n1;1,5;0,0\r\n1;1,5;1,5\r\n' > in
+run
+measured "a spreadsheet with decimal commas" area 1.125
 
 # What may be meant otherwise.
 printf 'x y z\n2 0 0\n0 3.1 0\n0 0 2\n' > in
@@ -1130,6 +1164,19 @@ near "a lone cell: its best plane" "$(field 1 S)" 6.283185307179586
 near "a lone cell: L" "$(field 1 L)" 17.31370849898476
 check "--normals estimate in the plane" "$("$surfmink" --normals estimate --surface plane in 2>&1 | cut -c 1-41)" \
     "surfmink: --normals estimate is for cells"
+
+# What estimates cost: mu_2 to mu_6 of the tissue against those with its normals, with shared corners and without.
+"$surfmink" --quiet "$data/tissue.tsv" > given
+for step in 0 1000; do
+    grep -v '^#' "$data/tissue.tsv" | awk -v step=$step 'BEGIN { OFS = "\t" }
+        NR == 1 { print $1, $2, $3, $4; next } { printf "%s\t%.12g\t%s\t%s\n", $1, $2 + step * $1, $3, $4 }' > in
+    run --normals estimate
+    awk -F '\t' 'FNR == 1 { ++file; next } $3 != "ok" { next }
+        { for (p = 2; p <= 6; ++p) if (file == 1) mu[$1, p] = $(6 + p); else { d = $(6 + p) - mu[$1, p]; print d < 0 ? -d : d } }
+        ' given out | sort -g | awk '{ e[NR] = $1 } END { printf "%d %.4f %.3f\n", NR, e[int((NR + 1) / 2)], e[NR] }'
+done > got
+check "--normals estimate of a tissue: values, median and largest error of mu_p" "$(cat got)" "2000 0.0009 0.065
+2000 0.0013 0.113"
 
 # --- GeoJSON ----------------------------------------------------------------------------------------------------------
 

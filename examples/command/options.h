@@ -140,7 +140,7 @@ static const char *const help_text[] = {
     "  --y-down               y points down, as in images: mirrors, so that directions are those of the picture\n"
     "  --normals given|estimate          estimate: normals of cells in space, from the corners that cells share "
     "(misses\n"
-    "                         mu_p by .002 in the median, .065 at most) or else each cell's best plane (.002, .113)\n"
+    "                         mu_p by .0009 in the median, .065 at most) or else each cell's best plane (.0013, .113)\n"
     "  --parts                a first corner that comes again inside ends a ring: each ring is an outline of its own,\n"
     "                         id/0, id/1, ...; those that run the other way than the first are holes, id/1/hole\n"
     "  --surface plane|sphere|embedded   instead of what the columns say; plane drops z\n"
@@ -195,6 +195,7 @@ static const char *const help_text[] = {
     "\n",
     "REFUSALS AND EXIT STATUS\n"
     "  A polygon that cannot be measured is named on standard error as FILE:LINE: id: reason, and the run goes on.\n"
+    "  What may not be as it was meant is told there, too: of each kind the first, and at the end how many there were.\n"
     "  0 all polygons were measured. 2 some were refused. 1 a wrong option; a file that cannot be read or written, is\n"
     "  malformed, or does not even name its columns: the run stops there. A pipe whose reader has gone (surfmink ... "
     "|\n"

@@ -20,6 +20,11 @@ static const char *advice(const measure *m, const options *o)
                               "one with normals of its own"
                             : ": one of them may be flipped";
     case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them, --repair also seams and spikes";
+    case SURFMINK_TOO_FEW_CORNERS:
+        return m->n == 1 && !o->id
+                   ? "; if every row has an id of its own, --id names the columns that outlines have in "
+                     "common"
+                   : "";
     case SURFMINK_BAD_ARGUMENT:
         return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees; x y of a map want --surface "
                "plane";

@@ -67,7 +67,7 @@ static void read_header(table *t, lines *in, const options *o)
     t->in = in;
     do
         if (!read_line(in)) die("%s: no line names the columns", in->name);
-    while (is_blank_line(in->text) || is_comment(in->text) || (o->columns && *in->text == '>'));
+    while (is_blank_line(in->text) || is_comment(in->text) || *in->text == '>');
     trim_end(in->text);
     t->separator = find_separator_of(in->text);
     split_line(in, t->separator);
@@ -302,7 +302,7 @@ static void begin_row_polygon(table *t, polygon *p)
     tell_again(t, p->id);
 }
 
-/* A first column without a name is an id if the second row has the same in it as the first; if not, a mere index. */
+/* A first column without a name, or an index, is an id if the second row has the same in it as the first; if not, a mere index. */
 static void judge_unnamed(table *t, polygon *p)
 {
     const char *field;
@@ -318,7 +318,12 @@ static void judge_unnamed(table *t, polygon *p)
     if (strcmp(field, t->first) == 0) {
         add_id(&t->columns, t->columns.unnamed);
         rename_polygon(p, t->first);
-        remark("%s: id: the first column, which has no name but the same in rows that follow each other", t->in->name);
+        if (t->columns.name[t->columns.unnamed][0])
+            remark("%s: id: %s, which is the same in rows that follow each other (--id names others)", t->in->name,
+                   t->columns.name[t->columns.unnamed]);
+        else
+            remark("%s: id: the first column, which has no name but the same in rows that follow each other",
+                   t->in->name);
     }
     t->columns.unnamed = nowhere;
 }
