@@ -5,6 +5,7 @@
 #   make paper      the experiments of the paper, computed beside printed; pictures and tables in .build/paper/
 #   make pictures   the pictures of docs/internals/theory.md, and the numbers behind them, in .build/pictures/
 #   make playground  docs/playground.html, a page to play with; needs clang and lld
+#   make reference  docs/reference.md, from the comments of surfmink.h
 #   make test       all tests; needs cc and make, nothing else; EFFORT=10 for ten times as many seeds
 #   make check      compilers, dialects, machines, static analysis, sanitizers; needs what .ci/run installs; JOBS=2
 #   make accuracy   worst errors over random polygons, against quadruple precision; needs gcc; POLYGONS=1000000
@@ -14,8 +15,9 @@
 #   make coverage   lines and branches of surfmink.h that no test takes; needs gcc, gcov, python3
 #   make mutants    do the tests notice a broken surfmink.h? hours; needs tcc, gcc, python3; MUTANTS=--sample=200
 #   make shared     .build/libsurfmink.so, for other languages: docs/languages.md
-#   make install-shared  the same, to PREFIX/lib
-#   make install    header, pkg-config file, commands and their man pages; PREFIX=/usr/local, DESTDIR= for packagers
+#   make install-shared  the same, to PREFIX/lib; make uninstall-shared removes it
+#   make install    header, pkg-config and CMake files, commands, man pages; PREFIX=/usr/local, DESTDIR= for packagers
+#   make uninstall  removes what make install with the same PREFIX and DESTDIR put there
 #   make clean      removes .build/, where everything goes
 #
 # CC, CFLAGS and LDFLAGS are yours to set.  (GNU make)
@@ -111,6 +113,12 @@ $(BUILD)/playground.html: surfmink.h $(wildcard examples/playground/* examples/p
 playground: $(BUILD)/playground.html
 	cp $(BUILD)/playground.html docs/playground.html
 
+reference:
+	awk -f tests/reference.awk surfmink.h > docs/reference.md
+
+# a test runs make install
+this_make := $(MAKE)
+
 test: all $(theorems) $(theories) $(BUILD)/image/rasterise
 	@sh tests/run.sh $(BUILD)/test.total $(theorems) \
 	  "sh tests/test_command.sh $(BUILD)/surfmink" \
@@ -124,6 +132,7 @@ test: all $(theorems) $(theories) $(BUILD)/image/rasterise
 	  "sh tests/test_fuzzed.sh" \
 	  "sh tests/test_playground.sh" \
 	  "sh tests/test_docs.sh $(BUILD) '$(CC)'" \
+	  "sh tests/test_install.sh $(BUILD) '$(CC)' '$(this_make)'" \
 	  "sh tests/test_manual.sh $(BUILD)" \
 	  "sh tests/test_links.sh"
 
@@ -173,26 +182,37 @@ mutants:
 check: all $(theories)
 	@sh tests/run.sh $(BUILD)/check.total "sh tests/check.sh $(BUILD)/check"
 
-install: $(BUILD)/surfmink $(BUILD)/levelset $(BUILD)/outlines $(BUILD)/patic
-	install -d $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/pkgconfig \
-	  $(DESTDIR)$(PREFIX)/share/man/man1
-	install -m 644 surfmink.h $(DESTDIR)$(PREFIX)/include/surfmink.h
-	install -m 755 $(BUILD)/surfmink $(BUILD)/levelset $(BUILD)/outlines $(BUILD)/patic \
-	  $(DESTDIR)$(PREFIX)/bin
-	install -m 644 docs/surfmink.1 docs/levelset.1 docs/outlines.1 docs/patic.1 \
-	  $(DESTDIR)$(PREFIX)/share/man/man1
+to = $(DESTDIR)$(PREFIX)
+installed = surfmink levelset outlines patic
+
+install: $(addprefix $(BUILD)/,$(installed))
+	install -d $(to)/include $(to)/bin $(to)/share/pkgconfig $(to)/share/cmake/surfmink $(to)/share/man/man1
+	install -m 644 surfmink.h $(to)/include
+	install -m 755 $^ $(to)/bin
+	install -m 644 $(installed:%=docs/%.1) $(to)/share/man/man1
+	install -m 644 examples/cmake/surfmink-config.cmake examples/cmake/surfmink-config-version.cmake \
+	  $(to)/share/cmake/surfmink
 	printf '%s\n' 'prefix=$(PREFIX)' 'includedir=$${prefix}/include' '' 'Name: surfmink' \
 	  'Description: surface Minkowski tensors of closed curves, one C header' 'Version: $(VERSION)' \
-	  'Cflags: -I$${includedir}' 'Libs: -lm' > $(DESTDIR)$(PREFIX)/share/pkgconfig/surfmink.pc
+	  'Cflags: -I$${includedir}' 'Libs: -lm' > $(to)/share/pkgconfig/surfmink.pc
+
+uninstall:
+	rm -f $(to)/include/surfmink.h $(installed:%=$(to)/bin/%) $(installed:%=$(to)/share/man/man1/%.1) \
+	  $(to)/share/pkgconfig/surfmink.pc $(to)/share/cmake/surfmink/surfmink-config.cmake \
+	  $(to)/share/cmake/surfmink/surfmink-config-version.cmake
+	[ ! -d $(to)/share/cmake/surfmink ] || rmdir $(to)/share/cmake/surfmink
 
 install-shared: shared
-	install -d $(DESTDIR)$(PREFIX)/lib
-	install -m 755 $(BUILD)/$(library) $(DESTDIR)$(PREFIX)/lib/$(library)
-	ln -sf $(library) $(DESTDIR)$(PREFIX)/lib/$(library_abi)
-	ln -sf $(library_abi) $(DESTDIR)$(PREFIX)/lib/$(library_link)
+	install -d $(to)/lib
+	install -m 755 $(BUILD)/$(library) $(to)/lib
+	ln -sf $(library) $(to)/lib/$(library_abi)
+	ln -sf $(library_abi) $(to)/lib/$(library_link)
+
+uninstall-shared:
+	rm -f $(to)/lib/$(library) $(to)/lib/$(library_abi) $(to)/lib/$(library_link)
 
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo paper pictures playground test check accuracy bench bench-count fuzz coverage mutants shared install \
-  install-shared clean
+.PHONY: all demo paper pictures playground reference test check accuracy bench bench-count fuzz coverage mutants \
+  shared install uninstall install-shared uninstall-shared clean

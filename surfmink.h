@@ -4,11 +4,11 @@
 
    WHAT IT DOES
      Says how p-fold symmetric an outline on a curved surface is, and in which directions. Corners in, mu_p out:
-     mu_p = 1 for a polygon of p equal angles (in the plane, on a sphere, anywhere), 0 for a circle, in between for the
-     rest. mu_2 is elongation, mu_3 is how triangular, ..., mu_6 how hexagonal.
+     mu_p = 1 for a polygon with p equal angles on any surface, mu_p = 0 for a circle, and a value between for all other
+     shapes. mu_2 measures elongation, mu_3 how triangular an outline is, ..., mu_6 how hexagonal.
      An outline is one closed curve without holes that encloses a Gaussian curvature below 2 pi (on a sphere: less than
-     half of it). Outlines that are drawn wrong are refused by name, as far as their turns and their area can tell:
-     a crossing that leaves both right is not found.
+     half of it). An invalid outline is refused with the reason if its turning angles or its area show the fault. A
+     crossing that changes neither is not found; examples/beyond/crossings.h finds all crossings.
 
    QUICK START
      #define SURFMINK_IMPLEMENTATION                              // in exactly one .c or .cpp file
@@ -27,9 +27,9 @@
        2 transport  phases f_i                                   surfmink_phases
        3 integrate  irreducible components g_p, p = 0..P         surfmink_irreducible; full tensors from them
        4 spectrum   lambda_p, mu_p, eigenvector angles theta     surfmink_spectrum, surfmink_eigenvectors
-     surfmink_measure walks through the same four steps and gives the same bits. A surface contributes l_i and alpha_i
-     and nothing else: what comes after step 1 does not know which surface it was. surfmink_batch measures many outlines
-     at once, with the vector instructions of the machine; it is the last section.
+     surfmink_measure calls the same four steps and gives the same bits. Only step 1 knows the surface: steps 2 to 4
+     work on l_i and alpha_i alone. surfmink_batch measures many outlines at once in vector instructions; it is the last
+     section.
 
    CONVENTIONS
      corner x_i     x_0 .. x_{n-1}, counter-clockwise about the outer normal, the first not repeated at the end
@@ -42,7 +42,7 @@
      lambda_p, mu_p |g_p| and |g_p| / L in [0, 1]
      theta          eigenvector angle in the surface, from the outward normal of edge 0 within the surface (the outer
                     co-normal nu = tau x normal) turning towards the edge tau. g is read at the MIDDLE of edge 0.
-     Arrays hold one corner after the other: x y (plane) or x y z. Lengths come out in the unit of the corners. In the
+     Arrays hold one corner after the other: x y (plane) or x y z. Lengths have the unit of the corners. In the
      descriptions below, the second column is the number of elements of an array.
 
    PAPER
@@ -52,8 +52,8 @@
      where edges differ in length; 4.2 is right.)
 
    ERRORS
-     A call that can fail returns SURFMINK_OK = 0 or a value of enum surfmink_status, named after what is wrong with
-     the outline; every output is then untouched, except *bad: the corner to blame, or n if it is the whole outline.
+     A call that can fail returns SURFMINK_OK = 0 or the value of enum surfmink_status that names the fault. After a
+     fault every output is untouched, except *bad: the corner at fault, or n if the fault is of the whole outline.
      (surfmink_edges may have filled part of its arrays when a callback fails half-way.) NULL is allowed only where a
      description says so. Outputs do not overlap inputs unless a description says so. No errno, no assert, no printing.
      All calls are re-entrant and thread-safe.
@@ -63,48 +63,48 @@
      SURFMINK_DEF        prefix of every public function, e.g. __declspec(dllexport)
      SURFMINK_SQRT       replaces sqrt; <math.h> is then not included
      SURFMINK_NO_SIMD    leaves the vector instructions out: surfmink_batch is then a loop over surfmink_measure
-     SURFMINK_DISPATCH   batches ask the processor for AVX-512 or AVX2 with FMA (gcc and clang on x86-64). Otherwise
-                         they use what the compiler is allowed to: SSE2, AVX2 with -mavx2 -mfma, AVX-512 with
-                         -march=..., NEON on arm64. To compile the kernels for each, the file includes itself under the
-                         name that __FILE_NAME__ gives it, else "surfmink.h"; SURFMINK_FILE sets another. A copy that is
-                         pasted into a .c file has no name of its own and goes without dispatch
+     SURFMINK_DISPATCH   batches test at run time whether the processor has AVX-512, or AVX2 with FMA (gcc and clang on
+                         x86-64). Without it they use the instructions that the compiler may use: SSE2, AVX2 with
+                         -mavx2 -mfma, AVX-512 with -march=..., NEON on arm64. To compile the kernels for each set, the
+                         file includes itself under the name in __FILE_NAME__, else "surfmink.h"; SURFMINK_FILE sets
+                         another name. A copy that is pasted into a .c file has no name, and no dispatch
      -fopenmp            batches of more than 4e5 corners use all cores
      Including the file again, with or without SURFMINK_IMPLEMENTATION, is harmless.
 
    ACCURACY
-     With c = max(1, (sum |alpha_i| + |2 pi - S|) / S), near 1 for most outlines and more where one turns to and fro,
-     winds, or encloses a curvature near 2 pi, every outline that is not refused has
+     Let c = max(1, (sum |alpha_i| + |2 pi - S|) / S). It is near 1 for most outlines, and larger for an outline that
+     turns to and fro or encloses a curvature near 2 pi. Every outline that is not refused has
        L       to 1e-15, relative
        S       to 2e-15 c, relative; through callbacks to 2e-15 (c + sqrt(n) / 50)
        mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same;
                through callbacks to 1e-14 (1 + c^2 + sqrt(n) / 10)
-       area    to 2e-15 of half the sum of |x_i - x_0| l_i; slivers are small beside that. Of embedded outlines it is an
-               estimate: see surfmink_area
+       area    to 2e-15 of half the sum of |x_i - x_0| l_i, which is large beside the area of a sliver. The area of an
+               embedded outline is an estimate: see surfmink_area
      by each way to measure: single calls, steps, callbacks, batches; at any size, from 3 to 1e5 corners, for edges from
-     2.3e-308 to 1e308. make accuracy holds all ways against quadruple precision: cells of size 1e-12, corners off the
-     sphere, edges steep against the tangent plane, needles, spikes, spirals, next to great circles; the worst found
-     stand in docs/internals/trust.md. c is about rounding, not about errors of the corners themselves: a corner that is off by e may
-     change mu_p by 2 pi p e / (S l) or so, with l the length of its edges.
-     Angles come from differences of corners and an arctangent, never arccos; long sums are compensated. Corners that
-     the plain formulas do not measure well (spikes, edges steep against the tangent plane or longer than 100 degrees
-     on a sphere, absurd units) are measured with twice the digits, each by itself; they take fifty times as long.
+     2.3e-308 to 1e308. make accuracy compares all ways with quadruple precision: cells of size 1e-12, corners off the
+     sphere, edges steep against the tangent plane, needles, spikes, spirals, outlines beside great circles. The worst
+     cases found are in docs/internals/trust.md. c describes rounding only. An error e in the position of a corner may
+     change mu_p by about 2 pi p e / (S l), with l the length of its edges.
+     Angles come from differences of corners and an arctangent, never arccos; long sums are compensated. Corners for
+     which the plain formulas lose digits (spikes, edges steep against the tangent plane or longer than 100 degrees on a
+     sphere, extreme units) are measured with twice the digits, each by itself, in fifty times the time.
 
    DETERMINISM
-     The same program on the same machine gives the same bits, whatever the thread or the locale, and in a batch
-     whatever the other outlines and the number of threads. sin, cos and atan2 are polynomials of this file, and sqrt is
-     exact in IEEE arithmetic: so all calls give the same bits on all machines, with all libraries and compilers, where
+     The same program on the same machine gives the same bits, in any thread and locale, and in a batch with any other
+     outlines and any number of threads. sin, cos and atan2 are polynomials of this file, and sqrt is correctly rounded
+     in IEEE arithmetic. So all machines, libraries and compilers give the same bits, provided that
        a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64; gcc 12
          at -O3 does so in vectors where there is FMA, whatever it is told, unless by -fno-tree-slp-vectorize
        doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
        batches use the same instructions: none; SSE2; or AVX2, AVX-512 and NEON, which agree to the bit.
-     Otherwise the last bits may differ; statuses do not. Batches differ from single calls, and sets of vector
-     instructions from each other, by no more than ACCURACY grants the two. Fused a*b+c, x87 with -std=c99, and rounding
-     up, down or towards zero stay within that, too; but batches in vector instructions need rounding to nearest, or
-     lose half of their digits. -ffast-math, and x87 without -std=c99, take away the digits beyond a double: with c' =
-     (sum |alpha_i| + |2 pi - S|) / S that leaves 1e-14 (1 + c')^2. And -ffast-math lets NaN and infinity pass
-     unrefused.
+     Otherwise the last bits may differ; statuses do not. Batches and single calls, and different sets of vector
+     instructions, differ within ACCURACY; so do fused a*b+c, and x87 with -std=c99. Rounding up, down or towards zero
+     doubles that difference, but batches in vector instructions then lose half of their digits. -ffast-math, and x87
+     without -std=c99, remove the digits beyond a double: mu_p is then good to 1e-14 (1 + c')^2, with c' =
+     (sum |alpha_i| + |2 pi - S|) / S, and the area on a sphere to 1e-14 (1 + c')^2 R^2. With -ffast-math NaN and
+     infinity are not refused.
 
-   The history of versions, and what replaced the calls of 0.3, is in docs/CHANGELOG.md. */
+   docs/CHANGELOG.md has the history of versions, and the calls that replace those of 0.3. */
 #ifndef SURFMINK_H
 #define SURFMINK_H
 
@@ -138,10 +138,10 @@ enum surfmink_status {
     SURFMINK_ZERO_NORMAL = 4,        /* a normal has no direction; on the sphere: a corner is the centre */
     SURFMINK_UPRIGHT_EDGE = 5,       /* an edge runs along the normal: it has no direction in the tangent plane */
     SURFMINK_ANTIPODAL_CORNERS = 6,  /* two neighbours are opposite: no unique great circle joins them */
-    SURFMINK_CLOCKWISE = 7,          /* S < 0: surfmink_reverse turns the corners round; or normals point inwards; or,
-                                        on a sphere, more than a hemisphere is enclosed */
+    SURFMINK_CLOCKWISE = 7,          /* S < 0: the corners run clockwise (surfmink_reverse mends it), the normals point
+                                        inwards, or on a sphere more than a hemisphere is enclosed */
     SURFMINK_TOO_MUCH_CURVATURE = 8, /* the enclosed curvature reaches 2 pi: S is no more than rounding noise */
-    SURFMINK_CROSSES_ITSELF = 9,     /* S and the area contradict each other, whichever way round */
+    SURFMINK_CROSSES_ITSELF = 9,     /* S and the area contradict each other, in either direction */
     SURFMINK_CALLBACK_FAILED = 10,   /* a surface's log or exp failed or returned nonsense */
     SURFMINK_BAD_ARGUMENT = 11,      /* a negative rank, a radius that is not positive, an edge >= n, ... */
     SURFMINK_OPPOSITE_NORMALS = 12 /* the normals of two neighbours are 90 degrees apart or more: one may be flipped */
@@ -157,12 +157,12 @@ SURFMINK_DEF const char *surfmink_status_name(int status);
 
 /* A surface of yours. Corners are opaque to this file: stride doubles each, read only by the callbacks.
    log     the geodesic from x to y: its length > 0 and its direction at x, as two components in an oriented orthonormal
-           frame at x of your choice (the same one each time x is asked for); need not be unit. So surfaces need not
-           be embedded in space. Coinciding points have no direction: return SURFMINK_COINCIDENT_CORNERS.
+           frame at x of your choice, always the same at the same x; need not be unit. The surface need not lie in
+           space. Coinciding points have no direction: return SURFMINK_COINCIDENT_CORNERS.
    exp     the point at the given length along the geodesic that leaves x in the given unit direction. Only
-           surfmink_regular_polygon and surfmink_edge_points ask for it: else it may be NULL.
-   Return SURFMINK_OK, or the status to report: SURFMINK_CALLBACK_FAILED, or a better name; outputs then do
-   not matter. */
+           surfmink_regular_polygon and surfmink_edge_points call it; without them it may be NULL.
+   Return SURFMINK_OK, or the status to report (SURFMINK_CALLBACK_FAILED if no other fits); outputs are then not
+   read. */
 typedef struct surfmink_surface {
     void *context; /* handed to the callbacks as it is */
     size_t stride; /* doubles a corner */
@@ -214,7 +214,7 @@ typedef struct surfmink_functionals {
    mu          P + 1  out: mu_0 = 1, mu_1, ..., mu_P; or NULL
    g         2 P + 2  out: irreducible components, for surfmink_spectrum and surfmink_angles; or NULL
    w                  out: the Minkowski functionals; or NULL
-   bad                out, only on failure: the corner to blame, or n; or NULL
+   bad                out, only on failure: the corner at fault, or n; or NULL
    Errors: those of surfmink_edges and surfmink_total; BAD_ARGUMENT.
    Spikes: where the outline runs exactly back on itself the turn is pi without a sign. It counts as +pi, a whisker that
    sticks out; one that sticks in is refused as CROSSES_ITSELF.
@@ -223,11 +223,10 @@ typedef struct surfmink_functionals {
 SURFMINK_DEF int surfmink_measure(const surfmink_outline *outline, int max_rank, double *mu, double *g,
                                   surfmink_functionals *w, size_t *bad);
 
-/* Where the results of a batch go: arrays of yours, one entry an outline. Each may be NULL; what is not asked for costs
-   nothing. */
+/* Where the results of a batch go: your arrays, one entry an outline. Each may be NULL, and then costs nothing. */
 typedef struct surfmink_results {
     int *status;     /* of enum surfmink_status */
-    size_t *bad;     /* only of refused outlines: the corner to blame, counted within the outline, or n */
+    size_t *bad;     /* of refused outlines only: the corner at fault, counted within the outline, or n */
     double *length;  /* L */
     double *turning; /* S */
     double *area;    /* W_0; 0 of callback surfaces */
@@ -244,49 +243,48 @@ typedef struct surfmink_results {
    scratch  2 all->n  doubles to work in; or NULL: then outlines with more than 128 corners are measured twice, as
                       surfmink_measure does. No bit depends on it
    returns            how many outlines were refused: 0 if all is well
-   Errors: each outline has its own, as in surfmink_measure; all have BAD_ARGUMENT if max_rank or the radius is bad, and
-   so has one whose offsets fall, or that ends after all->n.
-   An outline's results do not depend on the others nor on the number of threads. They differ from those of
-   surfmink_measure by rounding. Cost: O(corners P), 90 KiB of stack; in docs/internals/performance.md in figures. */
+   Errors: each outline has its own, as in surfmink_measure. All are BAD_ARGUMENT if max_rank or the radius is invalid;
+   one is if its offsets decrease or it ends after all->n.
+   The results of an outline do not depend on the others or on the number of threads. They differ from those of
+   surfmink_measure by rounding. Cost: O(corners P), 90 KiB of stack; figures: docs/internals/performance.md. */
 SURFMINK_DEF size_t surfmink_batch(const surfmink_outline *all, const size_t *offset, size_t count, int max_rank,
                                    const surfmink_results *out, double *scratch);
 
 /* --- 1. measure: corners -> lengths, turning angles, Minkowski functionals ---------------------------------------- */
 
-/* Edge lengths and turning angles. Nothing is said about the outline as a whole: surfmink_total does that.
+/* Edge lengths and turning angles. surfmink_total checks the outline as a whole.
    length      n      out: l_i, of the edge from corner i to corner i+1
    turning     n      out: alpha_i, at corner i, in [-pi, pi]
    bad                as in surfmink_measure; or NULL
-   Errors, on the corner that ends the edge to blame: TOO_FEW_CORNERS, NOT_FINITE, COINCIDENT_CORNERS; BAD_ARGUMENT;
+   Errors (*bad: the corner that ends the edge): TOO_FEW_CORNERS, NOT_FINITE, COINCIDENT_CORNERS; BAD_ARGUMENT;
      sphere: ZERO_NORMAL (a corner at the centre), ANTIPODAL_CORNERS (within 8 eps);
      embedded: ZERO_NORMAL, OPPOSITE_NORMALS, UPRIGHT_EDGE (within 1e-6 rad of the normal);
      surface: what the callbacks return, else CALLBACK_FAILED.
    Cost: O(n), one arctangent a corner; surface: 2 n calls of log. Paper 4.2; sphere and surface: 4.1. */
 SURFMINK_DEF int surfmink_edges(const surfmink_outline *outline, double *length, double *turning, size_t *bad);
 
-/* L, S, area, 2 pi - S and the condition number of measured edges, or what is wrong with the outline as a whole.
+/* L, S, area, 2 pi - S and the condition number of measured edges, or the fault of the outline as a whole.
    outline            the outline that was measured; or NULL: then S alone decides, and the area is 0
    length      n      lengths >= 0
    turning     n      radians
    n                  outline->n, if there is an outline
    Errors: TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT (a negative length, all lengths 0), and
      TOO_MUCH_CURVATURE  |S| < max(1e-12 sum |alpha|, 4 n eps), below which S is rounding noise
-     plane: S = 2 pi and area >= 0 is right, S = -2 pi and area <= 0 CLOCKWISE, all else CROSSES_ITSELF; an area
+     plane: valid if S = 2 pi and area >= 0; CLOCKWISE if S = -2 pi and area <= 0; otherwise CROSSES_ITSELF. An area
        within 1e-15 L^2 is 0 up to rounding
-     sphere: likewise with S + area / R^2 = 2 pi, area >= 0, and with both signs turned
-     embedded: S in [pi, 3 pi] is right. Otherwise the solid angle W of the polygon of normals (the Gauss image)
-     decides:
-       S + W = 2 pi modulo 4 pi within pi, with S > 0, is right; with S < 0 CLOCKWISE if the vector area of the corners
-       points against their mean normal; all else CROSSES_ITSELF
-     surface, or no outline: S < 0 is CLOCKWISE; nothing is known of crossings.
+     sphere: the same with S + area / R^2 = 2 pi and area >= 0; CLOCKWISE if both signs are reversed
+     embedded: valid if S is in [pi, 3 pi]. Otherwise the solid angle W of the polygon of normals (the Gauss image)
+       decides: valid if S > 0 and S + W = 2 pi modulo 4 pi within pi; CLOCKWISE if S < 0 and the vector area of the
+       corners points against their mean normal; otherwise CROSSES_ITSELF
+     surface, or no outline: S < 0 is CLOCKWISE; crossings are not looked for.
    Cost: O(n). Paper 2.2. */
 SURFMINK_DEF int surfmink_total(const surfmink_outline *outline, const double *length, const double *turning, size_t n,
                                 surfmink_functionals *w);
 
 /* The enclosed area W_0, positive if counter-clockwise.
    plane: shoelace about corner 0, so that digits survive far away.
-   sphere: in (-2 pi R^2, 2 pi R^2], of the part to the left of the outline if that is the smaller one, else minus that
-   of the part to the right. Absolute error 2e-15 of half the sum of |x_i - x_0| l_i, so that slivers lose digits.
+   sphere: in (-2 pi R^2, 2 pi R^2]: the area to the left of the outline if that is the smaller part, else minus the
+   area to the right. Absolute error 2e-15 of half the sum of |x_i - x_0| l_i: slivers lose digits.
    embedded: of the surface between geodesic edges, estimated from corners and normals alone, with a relative error of
    second order in the size of the outline over the radii of curvature.
    Errors: those of surfmink_edges; NOT_FINITE (the area overflows); BAD_ARGUMENT (a callback surface). Cost: O(n). */
@@ -337,8 +335,8 @@ SURFMINK_DEF int surfmink_transport_vector(const surfmink_outline *outline, cons
    stack. Paper (3.2). */
 SURFMINK_DEF int surfmink_irreducible(const double *length, const double *phase, size_t n, int max_rank, double *g);
 
-/* The same with the classical parallel transport to a point of the outline: at `fraction` of edge `edge`. The result
-   depends on that point, wherever curvature is enclosed; that is why it is here only for comparison.
+/* The same with the classical parallel transport to a point of the outline: at `fraction` of edge `edge`. Where
+   curvature is enclosed the result depends on that point; the call is here for comparison only.
    turning     n      radians, of any sum
    edge, fraction     edge < n, 0 <= fraction < 1; the edge is split there in two
    Errors and cost as surfmink_irreducible. Paper 2.3 and 5.1. */
@@ -352,7 +350,7 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
    Errors: BAD_ARGUMENT. Cost: O(p^2). */
 SURFMINK_DEF int surfmink_tensor(const double *g, int p, double *tensor);
 
-/* The same for its trace-free part, which only g_p makes up: 2^(1-p) times the real part of (-i)^j g_p (paper 2.4). */
+/* The same for its trace-free part, a function of g_p alone: 2^(1-p) times the real part of (-i)^j g_p (paper 2.4). */
 SURFMINK_DEF int surfmink_trace_free(const double *g, int p, double *tensor);
 
 /* Contracts a symmetric tensor of rank p with p - 1 copies of a vector. For the trace-free part of W_1^p and a unit
@@ -361,8 +359,8 @@ SURFMINK_DEF int surfmink_trace_free(const double *g, int p, double *tensor);
    p                  1 .. 1000
    vector      2      along nu, along tau
    contracted  2      out; may be the same array as vector
-   Errors: BAD_ARGUMENT. Cost: O(p^2). Rounding errors grow like 2^(p/2) eps against the result: the components are an
-   ill-conditioned basis at high rank, unlike g. */
+   Errors: BAD_ARGUMENT. Cost: O(p^2). Relative rounding errors grow like 2^(p/2) eps: unlike g, the components are an
+   ill-conditioned basis at high rank. */
 SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vector[2], double contracted[2]);
 
 /* --- 4. spectrum: irreducible components -> eigenvalues, eigenvectors --------------------------------------------- */
@@ -417,18 +415,18 @@ SURFMINK_DEF surfmink_surface surfmink_sphere_surface(double *radius);
    point, as do all longitudes at a pole. lon in [-1e6, 1e6], lat in [-90, 90]. Errors: NOT_FINITE, BAD_ARGUMENT. */
 SURFMINK_DEF int surfmink_from_lonlat(double lon, double lat, double radius, double point[3]);
 
-/* Reverses the order of n corners (or normals) of `stride` doubles each, in place: clockwise becomes the other way. */
+/* Reverses the order of n corners (or normals) of `stride` doubles each, in place. */
 SURFMINK_DEF void surfmink_reverse(double *corner, size_t n, size_t stride);
 
-/* Replaces every corner (or normal) by the mean of itself and its two neighbours, `passes` times, in place: takes the
-   staircase out of pixel outlines (paper 5.3). Every pass also shrinks outlines a little. Cost: O(n passes). */
+/* Replaces every corner (or normal) by the mean of itself and its two neighbours, `passes` times, in place. It smooths
+   the staircase of pixel outlines (paper 5.3), and shrinks them a little. Cost: O(n passes). */
 SURFMINK_DEF void surfmink_smooth(double *corner, size_t n, size_t stride, size_t passes);
 
 /* Drops every corner that lies within a distance of the one kept before it (the last ones: of the first), in place.
    corner      n * stride
    normal      3 n    kept in step; or NULL
-   distance           >= 0, straight; 0 drops corners that are equal. On the sphere corners that differ only in their
-                      distance from the centre are not equal, though they are coincident
+   distance           >= 0, straight; 0 drops equal corners. On the sphere, corners in one direction at different
+                      distances from the centre are coincident but not equal
    returns            how many corners are left, at the front of the arrays */
 SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, size_t stride, double distance);
 
@@ -436,7 +434,7 @@ SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, siz
    direction `angle` (radians) of the frame of the surface there.
    corner      n * surface->stride  out
    Errors: what exp returns, else CALLBACK_FAILED; TOO_FEW_CORNERS, NOT_FINITE, BAD_ARGUMENT (no exp; a stride above
-   16; a distance that is not positive). Cost: 2 n calls of exp, for nothing is written before all have succeeded. */
+   16; a distance that is not positive). Cost: 2 n calls of exp: corners are written only when all have succeeded. */
 SURFMINK_DEF int surfmink_regular_polygon(const surfmink_surface *surface, const double *centre, double distance,
                                           double angle, size_t n, double *corner);
 

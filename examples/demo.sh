@@ -11,7 +11,7 @@ columns='BEGIN { FS = OFS = "\t" } FNR == 1 { for (i = 1; i <= NF; i++) at[$i] =
 
 echo "1. The H3 grid: 5882 cells cover the sphere. Which are the pentagons?"
 "$surfmink" --svg "$pictures/h3.svg" --color-by mu_5 --view 10,50 "$data/h3_res2.tsv" > "$table" || exit 1
-"$surfmink" --histogram "$pictures/h3_mu.svg" --color-by mu_5,mu_6 --title "H3 grid: 12 pentagons, 5870 hexagons" \
+"$surfmink" --histogram "$pictures/h3_mu.svg" --histogram-of mu_5,mu_6 --title "H3 grid: 12 pentagons, 5870 hexagons" \
     "$data/h3_res2.tsv" > "$table" || exit 1
 awk "$columns"'
     FNR > 1 && $at["mu_5"] > 0.999999 { pentagons++; corners += $at["n"]; names = names "\n     " $at["id"] }
@@ -34,7 +34,7 @@ echo
 echo "3. A curved tissue: does a cell look elongated because it is, or because it is tilted?"
 "$surfmink" --svg "$pictures/tissue.svg" --color-by mu_6 --view 0,0,1 --unit µm "$data/tissue.tsv" > "$table" || exit 1
 "$surfmink" --svg "$pictures/tissue_ranks.svg" --color-by mu_2,mu_4,mu_5,mu_6 --unit µm \
-    --histogram "$pictures/tissue_mu.svg" --ply "$pictures/tissue.ply" "$data/tissue.tsv" > "$flat" || exit 1
+    --histogram "$pictures/tissue_mu.svg" --histogram-of mu_2,mu_4,mu_5,mu_6 --ply "$pictures/tissue.ply" "$data/tissue.tsv" > "$flat" || exit 1
 "$surfmink" --scatter "$pictures/tissue_scatter.svg" --title "Elongated and hexagonal?" "$data/tissue.tsv" > "$flat"
 # What a microscope sees from above: x and y of the cells whose normals point up. (Those that fold over at the rim are
 # refused.)

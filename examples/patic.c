@@ -76,9 +76,9 @@ static const char *const help[] = {
     "\n"
     "USAGE\n"
     "  patic --rank P [OPTION ...] [FILE]\n"
-    "  No FILE, or -, is standard input. It is read as surfmink reads it: a table x y | lon lat | x y z | x y z nx ny "
-    "nz\n"
-    "  with an id, or a polygon mesh whose faces are the cells. Outlines share their corners, up to --weld.\n"
+    "  No FILE, or -, is standard input. The input is that of surfmink: a table with an id and x y | lon lat |\n"
+    "  x y z | x y z nx ny nz, or a polygon mesh whose faces are the cells. Neighbouring outlines share their\n"
+    "  corners, up to --weld.\n"
     "\n",
     "OUTPUT\n"
     "  One line a cell, tab separated: id n x y z nx ny nz mu order dx dy dz neighbours boundary status\n"
@@ -88,40 +88,38 @@ static const char *const help[] = {
     "    dx dy dz          direction of Z, one of P; empty where there is none\n"
     "    neighbours        cells that share an edge with it\n"
     "    boundary          1 if an edge has no cell on its other side\n"
-    "    status            ok, or why the cell is refused; it then is a hole, and the others are measured\n"
-    "  Several radii give one line a radius instead: radius cells components chi loops charges boundary plus minus\n"
+    "    status            ok, or the reason why the cell is refused; it leaves a hole, and the others are measured\n"
+    "  With several radii, one line a radius instead: radius cells components chi loops charges boundary plus minus\n"
     "  margin order, as in --summary.\n"
     "\n"
     "OPTIONS (--option value or --option=value; -- ends them)\n"
-    "  --rank P               of the field: 2 nematic, 4 tetratic, 6 hexatic; 1 to 1000\n"
-    "  --radius R[,R...]      mean over the cells within R, in units of length, or 1.5c: 1.5 mean distances of\n"
-    "                         neighbours. Default 0, the raw field, which has a defect every few cells; 1.5c is a "
-    "good\n"
-    "                         start\n",
+    "  --rank P               rank of the field: 2 nematic, 4 tetratic, 6 hexatic; 1 to 1000\n"
+    "  --radius R[,R...]      mean over the cells within R, a length, or 1.5c: 1.5 mean distances of neighbours.\n"
+    "                         Default 0, the raw field, which has a defect every few cells; 1.5c is a good start\n",
     "  --weld D               corners nearer than D are one; default 1e-6 of the mean edge; 0: only equal ones\n"
-    "  --defects FILE         table x y z charge cells order margin: charges k/P that are not 0, where, the cells "
-    "round\n"
-    "                         it, their smallest order, and the margin: the charge stays while the angles, times P, "
-    "turn\n"
-    "                         by less than margin pi/2 each\n"
-    "  --correlation FILE     table r pairs G: correlation of the raw field at distance r, in bins as wide as the "
-    "mean\n"
-    "                         distance of neighbours, r their middle. Takes a while: 1 s for 10,000 cells\n"
+    "  --defects FILE         table x y z charge cells order margin, of charges k/P that are not 0: the cells round\n"
+    "                         it, their smallest order, and the margin. A charge stays while all angles, times P,\n"
+    "                         turn by less than margin pi/2\n"
+    "  --correlation FILE     table r pairs G: correlation of the raw field at distance r, the middle of bins as wide\n"
+    "                         as the mean distance of neighbours. Takes 1 s for 10,000 cells\n"
     "  --summary              on standard error: cells, components, Euler characteristic chi, boundary loops, sum of\n"
     "                         charges, boundary sum (both add up to chi), defects, smallest margin, mean order\n"
-    "  --svg FILE             picture: cells filled by the angle of the direction, paler where order is less, with P "
-    "rays\n"
-    "                         along it; defects are black discs (+) and white ones (-)\n"
+    "  --svg FILE             picture: cells filled by the angle of the P rays drawn in them, paler where order is "
+    "less;\n"
+    "                         defects are black discs (+) and white ones (-)\n"
+    "  --strokes along|across            along (default): rays for P = 2 along the long axis, for P = 3, 4, ...\n"
+    "                         towards corners; across: along dx dy dz. None where order is below 5 % of the largest\n"
     "  --color-by hue|order   order: filled by it instead\n"
     "  --view X,Y,Z           from where to look; LON,LAT, front, back; several: a panel for each\n"
     "  --title TEXT           above the picture\n"
     "  --surface plane|sphere|embedded, --merge, --reverse always   as in surfmink\n"
-    "  --sphere-radius R      of the sphere, default 1\n"
-    "  --quiet                no word about refused cells, no warnings\n"
+    "  --sphere-radius R      radius of the sphere, default 1\n"
+    "  --quiet                no messages about refused cells, no warnings\n"
     "  --help                 this page\n"
     "\n"
     "EXIT STATUS\n"
-    "  0 all cells were measured. 2 some were refused. 1 a wrong option; a file that cannot be read or written.\n"};
+    "  0: all cells were measured. 2: some were refused. 1: a wrong option, or a file that cannot be read or\n"
+    "  written.\n"};
 
 static void wrong_usage(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
 static void wrong_usage(const char *format, ...)
@@ -161,11 +159,12 @@ static void parse_radii(request *q, const char *value)
     }
 }
 
-/* Options that the readers know under the same name, or another; the last three take no value. */
-enum { PASSED_ON = 8, WITH_A_VALUE = 6 };
+/* Options that the readers know under the same name, or another; the last two take no value. */
+enum { PASSED_ON = 9, WITH_A_VALUE = 7 };
 static const char *const passed_on[PASSED_ON][2] = {
     {"surface", "--surface"}, {"sphere-radius", "--radius"}, {"reverse", "--reverse"}, {"svg", "--svg"},
-    {"view", "--view"},       {"title", "--title"},          {"merge", "--merge"},     {"quiet", "--quiet"}};
+    {"view", "--view"},       {"title", "--title"},          {"strokes", "--strokes"}, {"merge", "--merge"},
+    {"quiet", "--quiet"}};
 
 /* What the readers would say under their own name. */
 static void check_passed_on(const char *name, const char *value)

@@ -59,6 +59,8 @@ typedef struct run {
     summary summary;
     picture picture;
     chart chart;
+    pick pick[2 * MOST_COLORS + 2]; /* the columns that fill pictures, then those of charts */
+    int picks;
     const char *name; /* of the file that is being read */
     int surface;      /* of the polygons so far; AS_THE_COLUMNS_SAY before the first file */
     int watched;      /* somebody looks at standard error and not at standard output */
@@ -116,8 +118,9 @@ static void write_polygon(run *r, polygon *p, const measure *m)
         report_refusal(r, m);
     }
     if (o->summary) add_to_summary(&r->summary, m, o->max_rank);
-    if (o->histogram || o->scatter) add_to_chart(&r->chart, p->id, m, o);
-    if (o->svg || o->ply) add_to_picture(&r->picture, p, m, o);
+    if (o->svg || o->ply || o->histogram || o->scatter) take_picks(r->pick, r->picks, o, p->surface, m);
+    if (o->histogram || o->scatter) add_to_chart(&r->chart, p->id, m, r->pick + map_colors(o), o);
+    if (o->svg || o->ply) add_to_picture(&r->picture, p, m, r->pick, o);
     show_progress(r);
 }
 
@@ -162,12 +165,38 @@ static void process_file(run *r, const char *name)
     if (r->surface == AS_THE_COLUMNS_SAY && !r->options.json)
         write_row(stdout, &r->options, &r->powers, NAMES, in.surface, "", NULL);
     r->surface = in.surface;
+    find_picks(r->pick, r->picks, &r->options, in.surface);
     while (next_polygon(&in, &r->polygon)) {
         add_parts(&r->batch, &r->polygon, &r->part, &r->options);
         if (is_full(&r->batch, r->options.max_rank)) write_held_back();
     }
     write_held_back();
     close_reader(&in);
+}
+
+/* --- columns that pictures show ----------------------------------------------------------------------------------- */
+
+/* In space there are more columns than in the plane, where e_2_z is undefined. */
+static void add_picks(run *r, const char *option, const quantities *list)
+{
+    static const char *const source[][2] = {{"error_", "--error"},
+                                            {"sigma_", "--noise S"},
+                                            {"e_", "--directions"},
+                                            {"center_", "--directions center"},
+                                            {"coherence_", "--directions center"}};
+    const char *by = NULL;
+    int i, k;
+    for (i = 0; i < list->count; ++i) {
+        pick *p = &r->pick[r->picks++];
+        p->what = &list->of[i];
+        find_picks(p, 1, &r->options, EMBEDDED);
+        for (k = 0; k < 5; ++k)
+            if (strncmp(p->what->name, source[k][0], strlen(source[k][0])) == 0) by = source[k][1];
+        if (p->column == 0 && by) usage_error("--%s %s: %s adds such columns", option, p->what->name, by);
+        if (p->column == 0)
+            usage_error("--%s %s: the results have no such column of numbers; they have n, L, S, area, mu_p, theta_p",
+                        option, p->what->name);
+    }
 }
 
 /* --- all of it ---------------------------------------------------------------------------------------------------- */
@@ -177,6 +206,9 @@ static void begin_run(run *r, int argc, char **argv)
     memset(r, 0, sizeof *r);
     memset(&warnings, 0, sizeof warnings);
     parse_options(&r->options, argc, argv);
+    add_picks(r, "color-by", &r->options.color_by);
+    add_picks(r, "histogram-of", &r->options.histogram_of);
+    add_picks(r, "scatter-of", &r->options.scatter_of);
     prepare_powers(&r->powers);
     begin_batch(&r->batch);
     begin_measures(&r->measures, r->options.max_rank);

@@ -44,3 +44,65 @@ totals() {
     echo "$passed passed, $failed failed"
     [ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]
 }
+
+# drawn_strokes FILE: how many strokes a picture of outlines has, how many of their points at quarters of the way lie
+# outside of the outline before them, and the least contrast with its colour, in tenths.
+drawn_strokes() {
+    awk '
+        function part(color, k,    digits) {
+            digits = "0123456789abcdef"
+            if (length(color) == 4) return 17 * (index(digits, substr(color, 1 + k, 1)) - 1)
+            return 16 * (index(digits, substr(color, 2 * k, 1)) - 1) + index(digits, substr(color, 2 * k + 1, 1)) - 1
+        }
+        function light(color,    k, share, sum) {
+            for (k = 1; k <= 3; ++k) {
+                share = part(color, k) / 255
+                share = share <= 0.04045 ? share / 12.92 : exp(2.4 * log((share + 0.055) / 1.055))
+                sum += share * (k == 1 ? 0.2126 : k == 2 ? 0.7152 : 0.0722)
+            }
+            return sum + 0.05
+        }
+        function attribute(name,    text) {
+            text = $0
+            if (!sub(".* " name "=\"", "", text)) return ""
+            sub(/".*/, "", text)
+            return text
+        }
+        function is_inside(x, y,    i, odd) {
+            for (i = 1; i <= sides; ++i)
+                if ((ay[i] > y) != (by[i] > y) && x < ax[i] + (y - ay[i]) * (bx[i] - ax[i]) / (by[i] - ay[i]))
+                    odd = !odd
+            return odd
+        }
+        /^<path d="M.*Z" fill="#/ {
+            fill = attribute("fill")
+            sides = 0
+            rings = split(substr(attribute("d"), 2), ring, "ZM*")
+            for (r = 1; r <= rings; ++r) {
+                n = split(ring[r], point, "L")
+                for (i = 1; i <= n; ++i) {
+                    split(point[i], a, " ")
+                    split(point[i < n ? i + 1 : 1], b, " ")
+                    ax[++sides] = a[1]
+                    ay[sides] = a[2]
+                    bx[sides] = b[1]
+                    by[sides] = b[2]
+                }
+            }
+        }
+        /^<path d="M.*Z" fill="url/ { sides = 0 }
+        /^<path fill="none" stroke-linecap="round"/ {
+            a1 = light(fill)
+            b1 = light(attribute("stroke"))
+            contrast = a1 > b1 ? a1 / b1 : b1 / a1
+            if (least == "" || contrast < least) least = contrast
+            n = split(substr(attribute("d"), 2), stroke, "M")
+            for (i = 1; i <= n; ++i) {
+                split(stroke[i], at, "[ L]")
+                ++count
+                for (q = 0; q <= 4; ++q)
+                    if (!is_inside(at[1] + q * (at[3] - at[1]) / 4, at[2] + q * (at[4] - at[2]) / 4)) ++outside
+            }
+        }
+        END { print count + 0, outside + 0, int(10 * least) }' "$1"
+}

@@ -1679,7 +1679,7 @@ run --help
 check "help: exit status" "$status" 0
 check "help leads with examples" "$(sed -n 3p out)" EXAMPLES
 for option in surface radius max-rank transport order error sharp smooth reverse merge digits directions json svg \
-    color-by view histogram scatter ply title unit id columns y-down normals parts repair crossings resample noise \
+    color-by strokes view histogram histogram-of scatter scatter-of ply title unit id columns y-down normals parts repair crossings resample noise \
     summary quiet help version; do
     has "help explains --$option" out "  --$option"
 done
@@ -1724,15 +1724,28 @@ wrong "--max-rank is a whole number from 1 to 1000000, not '2.5'" --max-rank 2.5
 wrong "--smooth is a whole number from 0 to 1000000, not '-1'" --smooth -1
 wrong "--digits is a whole number from 1 to 17, not '18'" --digits 18
 wrong "--json takes no value" --json=yes
-wrong "--color-by is one of mu_1, mu_2, ... or several, not 'mu_0'" --color-by mu_0
-wrong "--color-by is one of mu_1, mu_2, ... or several, not '2,,3'" --color-by 2,,3
-wrong "--color-by is one of mu_1, mu_2, ... or several, not 'mu_2,'" --color-by mu_2,
-wrong "--color-by is one of mu_1, mu_2, ... or several, not ''" --color-by ''
-wrong "--color-by is one of mu_1, mu_2, ... or several, not '99999999999999999999'" --color-by 99999999999999999999
-wrong "--color-by takes at most 12 ranks" --color-by 1,1,1,1,1,1,1,1,1,1,1,1,1
+for list in 2,,3 mu_2, '' 9999999999999999999999999; do
+    wrong "--color-by takes columns of the results, as mu_2 or mu_2,area, not '$list'" --color-by "$list"
+done
+for name in mu_0 mu_-1 mu_2x id status x error_L; do
+    wrong "--color-by $name: " --svg a.svg --color-by mu_1,$name
+done
+wrong "--color-by mu: the results have no such column of numbers; they have n, L, S, area, mu_p, theta_p" \
+    --svg a.svg --color-by mu
+wrong "--color-by error_2: --error adds such columns" --svg a.svg --color-by error_2
+wrong "--histogram-of sigma_2: --noise S adds such columns" --histogram a.svg --histogram-of sigma_2
+wrong "--scatter-of coherence_2: --directions center adds" --scatter a.svg --scatter-of coherence_2,mu_2
+wrong "--color-by takes at most 12 columns" --color-by 1,1,1,1,1,1,1,1,1,1,1,1,1
 wrong "--color-by mu_7 needs --max-rank 7" --color-by mu_2,mu_7 --svg a.svg
 wrong "--color-by mu_7 needs --max-rank 7" --color-by mu_7 --svg a.svg
-wrong "--color-by is for pictures" --color-by mu_2
+wrong "--color-by is for outlines: add --svg FILE" --color-by mu_2
+wrong "--color-by is for outlines: add --svg FILE" --color-by mu_2 --histogram a.svg
+wrong "--histogram-of is for --histogram FILE" --histogram-of mu_2 --svg a.svg
+wrong "--scatter-of is for --scatter FILE" --scatter-of mu_2,mu_3 --svg a.svg
+wrong "--histogram-of mu_7 needs --max-rank 7" --histogram-of mu_7 --histogram a.svg
+wrong "--scatter-of takes at most 2 columns" --scatter a.svg --scatter-of 1,2,3
+wrong "--strokes is for pictures" --strokes across
+wrong "--strokes is along or across, not 'up'" --svg a.svg --strokes up
 wrong "--view is for pictures" --view 1,2
 wrong "--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '1'" --svg a.svg --view 1
 wrong "--view is LON,LAT in degrees, a direction X,Y,Z, front or back, not '0,0,0'" --svg a.svg --view 0,0,0
@@ -1764,8 +1777,8 @@ wrong "--title is for pictures" --title x
 wrong "--title is for pictures" --title x --ply a.ply
 wrong "--unit is for pictures" --unit um --histogram a.svg
 wrong "--view is for pictures" --view 1,2 --ply a.ply
-wrong "--scatter needs two ranks" --scatter a.svg --color-by mu_2
-wrong "--scatter needs two ranks" --scatter a.svg --max-rank 1
+wrong "--scatter needs two columns" --scatter a.svg --scatter-of mu_2
+wrong "--scatter needs two columns" --scatter a.svg --max-rank 1
 wrong "--directions is edge, center or centre, not 'middle'" --directions=middle
 wrong "--title needs a value" --title
 

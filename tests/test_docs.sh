@@ -108,12 +108,12 @@ echo "mu_3 = 1.000, mu_4 = 0.000" > "$work/want"
 $cc -std=c99 -I. "$work/quick.c" -o "$work/quick" -lm > "$work/got" 2>&1 && "$work/quick" > "$work/got" 2>&1
 verdict "the quick start of surfmink.h" $?
 
-# examples/octant.c is the first program of README.md
+# examples/octant.c is the first program of docs/guide.md
 sed 's,"../surfmink.h","surfmink.h",' examples/octant.c > "$work/want"
-awk '/^```c$/ { on = 1; next } /^```/ && on { exit } on' README.md > "$work/got"
-verdict "examples/octant.c is the program in README.md" $?
+awk '/^```c$/ { on = 1; next } /^```/ && on { exit } on' docs/guide.md > "$work/got"
+verdict "examples/octant.c is the program in docs/guide.md" $?
 awk '/^```c$/ { after = 1 } /^```$/ && on { exit }
-    on { print } /^```text$/ && after { on = 1 }' README.md > "$work/want"
+    on { print } /^```text$/ && after { on = 1 }' docs/guide.md > "$work/want"
 $cc -std=c99 examples/octant.c -o "$work/octant" -lm > "$work/got" 2>&1 && "$work/octant" > "$work/got" 2>&1
 verdict "examples/octant.c" $?
 

@@ -723,6 +723,47 @@ THEOREM(a_surface_needs_callbacks_and_a_stride)
     REFUSES(surfmink_edge_points(&surface, corner, corner + 2, 3, out.vector), SURFMINK_BAD_ARGUMENT);
 }
 
+THEOREM(a_view_of_no_kind_or_of_another_length_is_refused)
+{
+    double flat[10], called[15], area, carried[2] = {1, 0};
+    surfmink_surface surface = spinning_plane();
+    surfmink_outline view = surfmink_plane(flat, 5);
+    pentagon(PLANE, flat);
+    pentagon(SURFACE, called);
+    CHECK_OK(surfmink_edges(&view, out.length, out.turning, &bad));
+    CHECK_OK(surfmink_transport_vector(&view, out.turning, 0, 5, SURFMINK_CORRECTED, carried));
+    CHECK_NEAR(carried[0], 1, 1e-15);
+    {
+        double length[5], turning[5];
+        surfmink_functionals w;
+        CHECK_OK(surfmink_edges(&view, length, turning, &bad));
+        CHECK_OK(surfmink_total(&view, length, turning, 5, &w));
+        REFUSES(surfmink_total(IN_PLANE(flat, 4), length, turning, 5, &out.w), SURFMINK_BAD_ARGUMENT);
+        view.kind = (enum surfmink_kind)4;
+        REFUSES(surfmink_total(&view, length, turning, 5, &out.w), SURFMINK_BAD_ARGUMENT);
+    }
+    BLAMES(surfmink_measure(&view, 3, out.mu, out.g, &out.w, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    BLAMES(surfmink_edges(&view, out.length, out.turning, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    REFUSES(surfmink_area(&view, &out.w.area), SURFMINK_BAD_ARGUMENT);
+    BLAMES(surfmink_measure(ON_SURFACE(NULL, called, 5), 3, out.mu, out.g, &out.w, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    REFUSES(surfmink_area(ON_SURFACE(&surface, called, 5), &out.w.area), SURFMINK_BAD_ARGUMENT);
+    REFUSES(surfmink_frame(ON_SURFACE(&surface, called, 5), 0, out.vector), SURFMINK_BAD_ARGUMENT);
+    CHECK_OK(surfmink_area(IN_PLANE(flat, 5), &area));
+}
+
+/* Long outlines are measured twice: a callback that fails only then is told as well. */
+THEOREM(a_callback_that_fails_the_second_time_is_told)
+{
+    double corner[2 * 300];
+    saboteur s;
+    surfmink_surface surface = spinning_plane();
+    static const double centre[2] = {0, 0};
+    CHECK_OK(surfmink_regular_polygon(&surface, centre, 1, 0, 300, corner));
+    surface = sabotaged(&s, 2 * 300 + 3, SURFMINK_CALLBACK_FAILED, 0);
+    REFUSES(surfmink_measure(ON_SURFACE(&surface, corner, 300), 3, out.mu, out.g, &out.w, &bad),
+            SURFMINK_CALLBACK_FAILED);
+}
+
 THEOREM(building_needs_a_size_and_fails_as_a_whole)
 {
     static const double centre[2] = {0, 0}, other[2] = {1, 2}, nowhere[3] = {0, 0, 0};
@@ -1122,6 +1163,8 @@ int main(void)
     PROVE(a_failing_callback_comes_back_with_its_name_and_corner);
     PROVE(nonsense_from_a_callback_is_not_believed);
     PROVE(a_surface_needs_callbacks_and_a_stride);
+    PROVE(a_view_of_no_kind_or_of_another_length_is_refused);
+    PROVE(a_callback_that_fails_the_second_time_is_told);
     PROVE(building_needs_a_size_and_fails_as_a_whole);
     PROVE(totals_and_phases_refuse_what_no_outline_has);
     PROVE(a_total_turn_below_the_noise_is_no_turn);

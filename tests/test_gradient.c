@@ -13,7 +13,7 @@
 #include "shapes.h"
 
 #ifndef OUTLINES
-#define OUTLINES (300 / FEWER) /* of each surface; more of them find worse ones: docs/internals/beyond.md */
+#define OUTLINES (1 + 299 / FEWER) /* of each surface; more of them find worse ones: docs/internals/beyond.md */
 #endif
 
 enum { SURFACES = 3 }; /* of enum surfmink_kind: all but callbacks */

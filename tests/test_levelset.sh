@@ -235,8 +235,8 @@ check "a pinched vertex" "$status $(cat err)" \
 # --- complaints -------------------------------------------------------------------------------------------------------
 
 hint="(levelset --help shows examples)"
-refuses 1 "levelset: there is no mesh $hint"
-refuses 1 "levelset: there is no FIELD, no --field and no --function $hint" oct.off --at 1
+refuses 1 "levelset: there is neither a mesh nor an image $hint"
+refuses 1 "levelset: there is no FIELD, no --field and no --function $hint" --subdivide ico:1 --at 1
 refuses 1 "levelset: there is no --at $hint" oct.off z.txt
 refuses 1 "levelset: one mesh and one field, this is one file more: more $hint" oct.off z.txt more --at 1
 both="FIELD, --field and --function, or MESH and --subdivide, exclude each other"
@@ -433,5 +433,270 @@ if [ -w /dev/full ]; then
     "$levelset" oct.off z.txt --at 0.5 > /dev/full 2> err
     check "a full disk" "$? $(sed 's/written.*/written/' err)" "1 levelset: standard output cannot be written"
 fi
+
+# --- grey images ------------------------------------------------------------------------------------------------------
+
+# A cone about column 5, row 4 of 12 x 9 pixels: value = 20 - 2 (|column - 5| + |row - 4|); its level sets are squares.
+# image WHAT: its numbers, one a line, row by row; WHAT is an awk expression of r, c and the value v.
+image() {
+    awk "BEGIN { for (r = 0; r < 9; ++r) for (c = 0; c < 12; ++c) {
+        x = c < 5 ? 5 - c : c - 5; y = r < 4 ? 4 - r : r - 4; v = 20 - 2 * (x + y); if (v < 0) v = 0; print $1 } }"
+}
+# words FORMAT...: bytes from the numbers on standard input: u1, u2 and u2be, and f4 (whole numbers up to 20, or nan).
+words() {
+    awk -v kind="$1" '
+        function byte(n) { printf "\\%03o", n }
+        function four(n,    e, m, bits) {
+            if (n == "nan") { byte(0); byte(0); byte(192); byte(127); return }
+            for (e = 0; n > 0 && 2 ^ (e + 1) <= n; ++e) ;
+            m = n > 0 ? n / 2 ^ e - 1 : 0
+            bits = n > 0 ? (127 + e) * 128 + int(m * 128) : 0
+            byte(0); byte(0); byte(bits % 256); byte(int(bits / 256))
+        }
+        kind == "u1" { byte($1) }
+        kind == "u2" { byte($1 % 256); byte(int($1 / 256)) }
+        kind == "u2be" { byte(int($1 / 256)); byte($1 % 256) }
+        kind == "f4" { four($1) }' > octal
+    printf "$(cat octal)"
+}
+# npy DESCR SHAPE: the head of an NPY.
+npy() {
+    printf '\223NUMPY\001\000v\000'
+    printf "%-117s\n" "{'descr': '$1', 'fortran_order': False, 'shape': ($2), }"
+}
+
+{ echo 'P2 12 9 255'; image v; } > cone.pgm
+run cone.pgm --at 13 --inside above
+check "an image: status, complaint" "$status $(cat err)" "0 "
+check "where it comes from" "$(sed -n 1p out)" "# levelset of cone.pgm (12 x 9 pixels), inside above"
+check "its level" "$(sed -n 2p out)" "# level 13: loops 1, area 24.5, open curves left out 0"
+check "its columns" "$(sed -n 3p out)" "$(printf 'loop\tlevel\tx\ty')"
+check "x is the column, y minus the row" \
+    "$(awk '/^0/ { x += $3; y += $4 } END { print x / 28, y / 28, NR - 3 }' out)" "5 -4 28"
+check "on the sides between pixels: |x - 5| + |y + 4| = 3.5" "$(awk '/^0/ { x = $3 - 5; y = $4 + 4
+    d = (x < 0 ? -x : x) + (y < 0 ? -y : y) - 3.5; if (d > 1e-12 || d < -1e-12) print }' out | wc -l | tr -d ' ')" 0
+grep '^0' out | sort > expected
+measure
+check "it is measured" "$measured $(field mu 1 status)" "0 ok"
+near "its area" "$(field mu 1 area)" 24.5
+near "its length" "$(field mu 1 L)" "$(awk 'BEGIN { print 14 * sqrt(2) }')" 1e-4
+near "it is a square" "$(field mu 1 mu_4)" 1
+
+# same_cone NAME [COMPLAINT]: the outline of the cone again, in any order.
+same_cone() {
+    check "$1: status, complaint" "$status $(cat err)" "0 ${2-}"
+    check "$1: the same outline" "$(grep '^0' out | sort)" "$(cat expected)"
+}
+cat cone.pgm > in
+run - --at 13 --inside above
+same_cone "PGM from standard input"
+: > in
+{ printf 'P5 12 9 255\n'; image v | words u1; } > bytes.pgm
+run bytes.pgm --at 13 --inside above
+same_cone "binary PGM"
+{ printf 'P5 12 9 300\n'; image v | words u2be; } > words.pgm
+run words.pgm --at 13 --inside above
+same_cone "binary PGM of 16 bits"
+{ npy '|u1' '9, 12'; image v | words u1; } > bytes.npy
+run bytes.npy --at 13 --inside above
+same_cone "NPY"
+{ npy '<f4' '9, 12'; image v | words f4; } > floats.npy
+run floats.npy --at 13 --inside above
+same_cone "NPY of floats"
+{ npy '>u2' '9, 12'; image v | words u2be; } > big.npy
+run big.npy --at 13 --inside above
+same_cone "NPY, the other byte order"
+# an entry of a TIFF has a tag, a type (3: 16 bits, 4: 32 bits), a count and a value
+entry() {
+    printf "\\$(printf %o $(($1 % 256)))\\$(printf %o $(($1 / 256)))\\003\\000\\001\\000\\000\\000"
+    printf "\\$(printf %o $(($2 % 256)))\\$(printf %o $(($2 / 256)))\\000\\000"
+}
+tiff() { # tiff BITS FORMAT BYTES
+    printf 'II*\0\010\0\0\0\012\0'
+    entry 256 12; entry 257 9; entry 258 "$1"; entry 259 1; entry 262 1; entry 273 134; entry 277 1
+    entry 278 9; entry 279 "$3"; entry 339 "$2"
+    printf '\0\0\0\0'
+}
+{ tiff 32 3 432; image v | words f4; } > cone.tif
+run cone.tif --at 13 --inside above
+same_cone "TIFF of floats"
+{ tiff 16 1 216; image v | words u2; } > words.tif
+run words.tif --at 13 --inside above
+same_cone "TIFF of 16 bits"
+
+run cone.pgm --at 13
+measure
+check "below the level: the same curve the other way round" "$measured $(field mu 1 status)" "2 clockwise"
+check "and the rest of the area" "$(field out 1 loop) $(grep -o 'area [0-9.]*' out)" "0 area 63.5"
+run cone.pgm --at 13 --inside above --spacing 3,0.5
+measure
+near "pixels of 3 x 0.5" "$(field mu 1 area)" $(awk 'BEGIN { print 24.5 * 1.5 }')
+check "and their area in the note" "$(grep -o 'area [0-9.]*' out)" "area 36.75"
+run cone.pgm --at 13 --inside above --spacing=2
+check "pixels of 2 x 2" "$(grep -o 'area [0-9.]*' out)" "area 98"
+
+# Turned and mirrored images have turned and mirrored outlines: the eight symmetries of the grid, on an image of no
+# symmetry (wx, wy: where pixel (c, r) goes). Numbers of 3 digits, for sums may differ in the last.
+odd='20 * (((r * 7 + c * 3 + r * c) % 11) > 6 && r > 0 && c > 0 && r < 8 && c < 11) + (r * c) % 5'
+image "$odd" > numbers
+outline_of() { # outline_of: of each loop its area, mu_2 and mu_3, sorted
+    "$surfmink" --reverse auto < out 2> /dev/null | awk -F '\t' '
+        NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
+        { printf "%.6f %.6f %.6f %.6f\n", $c["L"], $c["area"], $c["mu_2"], $c["mu_3"] }' | sort
+}
+{ echo 'P2 12 9 99'; cat numbers; } > odd.pgm
+run odd.pgm --at 11.5 --inside above
+check "an image without symmetry" "$status $(outline_of | wc -l | tr -d ' ')" "0 9"
+outline_of > expected_odd
+head -n 2 out | tail -n 1 | sed 's/\(area [0-9.]*[0-9]\{6\}\)[0-9]*/\1/' > level_odd
+turned=0
+for swap in 0 1; do for fx in 0 1; do for fy in 0 1; do
+    awk -v swap=$swap -v fx=$fx -v fy=$fy '
+        { z[NR - 1] = $1 }
+        END {
+            w = swap ? 9 : 12; h = swap ? 12 : 9
+            print "P2", w, h, 99
+            for (r = 0; r < h; ++r) for (c = 0; c < w; ++c) {
+                a = fx ? w - 1 - c : c; b = fy ? h - 1 - r : r
+                print swap ? z[a * 12 + b] : z[b * 12 + a]
+            }
+        }' numbers > turned.pgm
+    run turned.pgm --at 11.5 --inside above
+    check "equivariance: $swap $fx $fy" "$status $(outline_of)" "0 $(cat expected_odd)"
+    turned=$((turned + 1))
+done; done; done
+check "all eight were tried" $turned 8
+
+# --- holes and borders ------------------------------------------------------------------------------------------------
+
+{ npy '<f4' '9, 12'; image 'r == 4 && c == 6 ? "nan" : v' | words f4; } > hole.npy
+run hole.npy --at 13 --inside above
+check "a NaN inside: status, complaint" "$status $(cat err)" "0 hole.npy: 1 pixels have no value: holes"
+check "its squares are not measured, the curve does not care" "$(grep '^0' out | sort) $(grep -o 'area [0-9.]*' out)" \
+    "$(cat expected) area 20.5"
+run hole.npy --at 13 --inside above --close --loops
+check "closed, the hole has a loop as well" "$(grep -v '^#' out | cut -f 1-6 | tr '\n\t' '; ')" \
+    "loop level part kind of corners;0 13 0 outer - 28;1 13 0 hole 0 8;"
+check "areas: of the polygon; of the hole" "$(grep -v '^#' out | cut -f 7 | tr '\n' ' ')" "area 24.5 4 "
+{ npy '<f4' '9, 12'; image 'r == 4 && c == 8 ? "nan" : v' | words f4; } > hole.npy
+run hole.npy --at 13 --inside above
+check "a NaN at the curve: status 2" "$status $(rows out)" "2 0"
+check "it is told" "$(cat err)" "hole.npy: 1 pixels have no value: holes
+hole.npy: level 13: 1 curve ends at the border or at a hole: left out"
+run hole.npy --at 13 --inside above --close
+measure
+check "closed it is measured" "$status $measured $(field mu 1 status) $(rows mu)" "0 0 ok 1"
+near "and has the area of the inside" "$(field mu 1 area)" \
+    "$(grep -o 'area [0-9.]*' out | cut -d ' ' -f 2)"
+{ npy '<f4' '9, 12'; image '"nan"' | words f4; } > hole.npy
+run hole.npy --at 13 --close
+check "nothing but NaN" "$status $(cat err) $(rows out)" "0 hole.npy: 108 pixels have no value: holes 0"
+
+run cone.pgm --at 3 --inside above
+check "a curve at the border: status 2" "$status $(cat err)" \
+    "2 cone.pgm: level 3: 4 curves end at the border or at a hole: left out"
+run cone.pgm --at 3 --inside above --close
+check "closed: status, complaint" "$status $(cat err)" "0 "
+check "closed: the note" "$(sed -n 2p out | sed 's/area [0-9.]*/area/')" \
+    "# level 3: loops 1, area, open curves left out 0, closed along the boundary 4"
+measure
+near "closed: its area" "$(field mu 1 area)" "$(grep -o 'area [0-9.]*' out | cut -d ' ' -f 2)"
+run cone.pgm --at -1 --inside above --close
+check "all of an image: its border" "$status $(awk '/^0/ { print ($3 < 0 || $3 > 11 || $4 > 0 || $4 < -8) }' out | uniq -c |
+    tr -s ' ')" "0  38 0"
+run cone.pgm --at 13 --at 15 --close --loops
+check "loops of two levels: outer ones and holes" "$(grep -v '^#' out | cut -f 1-5 | tr '\n\t' '; ')" \
+    "loop level part kind of;0 13 0 hole 1;1 13 0 outer -;2 15 1 hole 3;3 15 1 outer -;"
+run cone.pgm --at 13 --at 15 --loops
+check "without the border a hole has no outer loop" "$(grep -v '^#' out | cut -f 1-5 | tr '\n\t' '; ')" \
+    "loop level part kind of;0 13 0 hole -;1 15 1 hole -;"
+
+# --- meshes: closed curves, loops -------------------------------------------------------------------------------------
+
+strip="0 0;0 1;0 2;0.5 0;0.5 0.5;0.5 1;0.5 1.5;0.5 2;"
+run flat.obj --function x --at 0.5 --close
+check "a mesh, closed: status, complaint" "$status $(cat err)" "0 "
+check "a mesh, closed: a strip" "$(sed -n 2p out) $(awk '/^0/ { print $3, $4 }' out | sort | tr '\n' ';')" \
+    "# level 0.5: loops 1, area 1, open curves left out 0, closed along the boundary 1 $strip"
+run flat.obj --function x --at 0.5 --close --inside above --loops
+check "the other side" "$(tail -n 1 out | cut -f 3-7)" "$(printf '0\touter\t-\t10\t3')"
+run flat.obj hill.txt --at 0.5 --close --loops
+check "a mesh with a hill: its border and the hill" "$(grep -v '^#' out | tail -n 2 | tr '\n\t' '; ')" \
+    "0 0.5 0 hole 1 6 0.75;1 0.5 0 outer - 8 4;"
+run "$data/sphere_geodesic16.mesh.off" "$data/sphere_grf_seed1.field.txt" --at 0.5 --at 1 --at 1.5 --inside above \
+    --loops
+check "contours of a random field: outer ones, holes" \
+    "$(grep -c "${tab}outer$tab" out) $(grep -c "${tab}hole$tab" out)" "16 1"
+check "of an outer loop of its part" "$(awk '$4 == "hole" { hole = $5; part = $3 } $4 == "outer" { p[$1] = $3 }
+    END { print (p[hole] == part) }' out)" 1
+near "areas of the parts make up that of the inside" \
+    "$(awk '/^[0-9]/ { s += $4 == "hole" ? -$7 : $7 } END { printf "%.12g", s }' out)" \
+    "$(sed -n 's/.*, area \([0-9.]*\),.*/\1/p' out | awk '{ s += $1 } END { printf "%.12g", s }')" 1e-9
+run --subdivide ico:3 --function z --at 0.3 --inside above --loops
+check "a cap is outer" "$(tail -n 1 out | cut -f 3-5)" "$(printf '0\touter\t-')"
+run --subdivide ico:3 --function z --at 0.3 --loops
+check "what is left of the sphere has a hole, and no outer loop" "$(tail -n 1 out | cut -f 3-5)" \
+    "$(printf '0\thole\t-')"
+printf 'OFF\n8 8\n1 1 0\n-1 1 0\n-1 -1 0\n1 -1 0\n1 1 1\n-1 1 1\n-1 -1 1\n1 -1 1\n' > belt.off
+printf '3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n' >> belt.off
+run belt.off --function z --at 0.5 --loops
+check "a belt encloses nothing" "$(tail -n 1 out | cut -f 4-5,7)" "$(printf -- '-\t-\tnan')"
+
+# --- a chart ----------------------------------------------------------------------------------------------------------
+
+# x = column, y = 8 - row, z = 7, of bytes; the normals point up
+{ npy '|u1' '3, 9, 12'; { image c; image '8 - r'; image 7; } | words u1; } > xyz.npy
+{ npy '|u1' '3, 9, 12'; { image 0; image 0; image 5; } | words u1; } > n.npy
+for normals in "" "--normals n.npy"; do
+    run cone.pgm --positions xyz.npy $normals --at 13 --inside above
+    check "on a chart $normals" "$status $(cat err) $(sed -n 3p out)" "0  $(printf 'loop\tlevel\tx\ty\tz\tnx\tny\tnz')"
+    check "on a chart $normals: the same outline" \
+        "$(awk '/^0/ { printf "%s\t%s\t%.17g\t%.17g\n", $1, $2, $3, $4 - 8 }' out | sort)" "$(cat expected)"
+    check "on a chart $normals: place and normal" "$(awk '/^0/ { print $5, $6, $7, $8 }' out | sort -u)" "7 0 0 1"
+done
+run cone.pgm --positions xyz.npy --flip --at 13 --inside above
+measure
+check "with normals the other way it is still outer" "$measured $(field mu 1 status) $(awk '/^0/ { print $8 }' out |
+    sort -u)" "0 ok -1"
+{ npy '<f4' '3, 9, 12'; { image c; image '8 - r'; image 'r == 4 && c == 8 ? "nan" : 7'; } | words f4; } > rim.npy
+run cone.pgm --positions rim.npy --normals n.npy --at 13 --inside above
+check "a pixel without a place is a hole" "$status $(sed -n 1p err)" \
+    "2 cone.pgm: 1 pixels have no value, position or normal: holes"
+
+# --- planted faults ---------------------------------------------------------------------------------------------------
+
+refuses 1 "levelset: this is for an IMAGE, not for a mesh: --spacing $hint" oct.off z.txt --at 1 --spacing 2
+refuses 1 "levelset: this is for an IMAGE, not for a mesh: --positions $hint" oct.off --function z --positions xyz.npy
+refuses 1 "levelset: --normals without --positions: n.npy $hint" cone.pgm --at 1 --normals n.npy
+refuses 1 "levelset: --flip is for normals: an image has none without --positions $hint" cone.pgm --at 1 --flip
+refuses 1 "levelset: --spacing is for the plane: with --positions, these tell where a pixel is $hint" \
+    cone.pgm --at 1 --positions xyz.npy --spacing 2
+refuses 1 "levelset: standard input is one file $hint" - --positions - --at 1
+refuses 1 "levelset: --area and --loops are two tables: one at a time $hint" cone.pgm --at 1 --area --loops
+refuses 1 "levelset: no value is wanted behind: --close $hint" cone.pgm --at 1 --close=1
+refuses 1 "levelset: there is no --at $hint" cone.pgm
+for bad in 0 -1 1,0 1, 1,2,3 x nan inf; do
+    refuses 1 "levelset: --spacing wants one positive number, or two with a comma, got: $bad $hint" \
+        cone.pgm --at 1 --spacing=$bad
+done
+no_image="no image (TIFF without compression, NPY or PGM); if it is a mesh, it wants a FIELD, a --field or a --function"
+refuses 1 "oct.off: $no_image" oct.off --at 1
+refuses 1 "nowhere.tif: No such file or directory" nowhere.tif --at 1
+head -c 200 floats.npy > short.npy
+run short.npy --at 1
+has "a truncated NPY is called that" err "short.npy: truncated"
+head -c 300 cone.tif > short.tif
+run short.tif --at 1
+has "a truncated TIFF is called that" err "short.tif: truncated"
+printf 'P6 1 1 255\nabc' > colours.ppm
+run colours.ppm --at 1
+has "a PPM" err "colours.ppm: this is a PPM, an image in colours"
+printf '\211PNG\r\n\032\n' > new.png
+run new.png --at 1
+has "a PNG is named, with what to do" err "new.png: this is a PNG: save it as TIFF without compression, NPY or PGM"
+refuses 1 "xyz.npy: 3 pages or colours: a grey image has one number for each pixel" xyz.npy --at 1
+refuses 1 "cone.pgm: 1 numbers for each pixel: a map has three, x, y and z" cone.pgm --positions cone.pgm --at 1
+{ npy '|u1' '3, 9, 11'; { image c; image r; image 7; } | words u1; } | head -c $((128 + 297)) > narrow.npy
+refuses 1 "narrow.npy: 11 x 9 pixels, and the image has 12 x 9" cone.pgm --positions narrow.npy --at 1
 
 totals

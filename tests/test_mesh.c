@@ -5,6 +5,7 @@
 
 #include "examples/surfaces/mesh.h"
 
+#include "chance.h"
 #include "harness.h"
 #include "shapes.h"
 #include "table.h"
@@ -112,6 +113,11 @@ static double depth(const double *x)
 static double distance(const double *x)
 {
     return hypot(x[0], x[1]);
+}
+
+static double quadrants(const double *x)
+{
+    return x[0] * x[1];
 }
 
 static double ring(const double *x)
@@ -995,7 +1001,7 @@ THEOREM(nonsense_is_refused_by_name_and_leaves_no_loops)
     field = field_of(&m, height);
     CHECK_EQUAL(mesh_level_set(&m, field, 0.5, MESH_BELOW, &loops, &error), MESH_BAD_ARGUMENT);
     prepare(&m);
-    CHECK_EQUAL(mesh_level_set(&m, field, 0.5, 2, &loops, &error), MESH_BAD_ARGUMENT);
+    CHECK_EQUAL(mesh_level_set(&m, field, 0.5, 8, &loops, &error), MESH_BAD_ARGUMENT);
     CHECK_EQUAL(mesh_level_set(&m, field, nan(""), MESH_BELOW, &loops, &error), MESH_NOT_FINITE);
     field[3] = HUGE_VAL;
     CHECK_EQUAL(mesh_level_set(&m, field, 0.5, MESH_BELOW, &loops, &error), MESH_NOT_FINITE);
@@ -1205,6 +1211,174 @@ THEOREM(contours_of_a_random_field_are_those_found_elsewhere)
     mesh_free(&m);
 }
 
+/* --- what loops enclose ------------------------------------------------------------------------------------------- */
+
+/* A torus of 60 x 30 x 2 triangles about the z axis: radius 1, of the tube 0.4. */
+static void torus(mesh *m)
+{
+    enum { ROUND = 60, TUBE = 30 };
+    size_t i, j;
+    memset(m, 0, sizeof *m);
+    m->vertex = (double *)malloc(3 * ROUND * TUBE * sizeof(double));
+    m->triangle = (uint32_t *)malloc(6 * ROUND * TUBE * sizeof(uint32_t));
+    if (!m->vertex || !m->triangle) exit(1);
+    for (j = 0; j < TUBE; ++j)
+        for (i = 0; i < ROUND; ++i) {
+            double phi = 2 * PI * (double)i / ROUND, theta = 2 * PI * ((double)j + 0.3) / TUBE;
+            double *x = m->vertex + 3 * m->vertices++;
+            uint32_t *corner = m->triangle + 3 * m->triangles;
+            size_t a = j * ROUND + i, b = j * ROUND + (i + 1) % ROUND;
+            size_t d = (j + 1) % TUBE * ROUND + i, c = (j + 1) % TUBE * ROUND + (i + 1) % ROUND;
+            x[0] = (1 + 0.4 * cos(theta)) * cos(phi);
+            x[1] = (1 + 0.4 * cos(theta)) * sin(phi);
+            x[2] = 0.4 * sin(theta);
+            corner[0] = corner[3] = (uint32_t)a;
+            corner[1] = (uint32_t)b;
+            corner[2] = corner[4] = (uint32_t)c;
+            corner[5] = (uint32_t)d;
+            m->triangles += 2;
+        }
+    prepare(m);
+}
+
+static double flat_area(const mesh_loops *loops, size_t k)
+{
+    double area = 0;
+    size_t i;
+    for (i = 0; i < corners_of(loops, k); ++i) {
+        const double *a = corner_of(loops, k, i), *b = corner_of(loops, k, i + 1);
+        area += (a[0] * b[1] - b[0] * a[1]) / 2;
+    }
+    return area;
+}
+
+/* Random fields on a square with a hole: below or above the level, closed loops are the whole boundary of the inside, and
+   those of one part enclose something. */
+THEOREM(loops_closed_along_the_boundary_enclose_the_inside)
+{
+    enum { COUNT = 14 };
+    double field[(COUNT + 1) * (COUNT + 1)];
+    chance c = {seed(41)};
+    size_t round, closed = 0, k, i;
+    for (round = 0; round < 60; ++round) {
+        mesh m;
+        mesh_loops loops;
+        int how = (round % 2 ? MESH_ABOVE : MESH_BELOW) | CONTOUR_CLOSE | CONTOUR_PARTS;
+        square(&m, COUNT);
+        for (k = 0; k < m.vertices; ++k) {
+            field[k] = round % 3 ? between(&c, 0, 1) : (double)one_of(&c, 3);
+            if (round % 4 == 3 && one_in(&c, 10)) field[k] = nan("");
+        }
+        mesh_cut_holes(&m, field);
+        prepare(&m);
+        CASE("field %d", (int)round);
+        cut(&m, field, round % 3 ? between(&c, 0, 1) : 1, how, &loops);
+        CHECK_EQUAL(loops.open, 0);
+        closed += loops.closed;
+        check_tidy(&loops);
+        {
+            double area = 0;
+            for (k = 0; k < loops.loops; ++k) area += flat_area(&loops, k);
+            CHECK_NEAR(area, loops.area, 1e-12);
+        }
+        for (k = 0; k < loops.loops; ++k) {
+            double part = 0;
+            for (i = 0; i < loops.loops; ++i) part += loops.part[i] == loops.part[k] ? flat_area(&loops, i) : 0;
+            CHECK(part > 0);
+        }
+        mesh_free_loops(&loops);
+        mesh_free(&m);
+    }
+    CHECK(closed > 200);
+}
+
+THEOREM(a_loop_encloses_what_lies_beyond_it)
+{
+    enum { COUNT = 16 };
+    double field[(COUNT + 1) * (COUNT + 1)];
+    chance c = {seed(43)};
+    size_t round, k, checked = 0;
+    mesh m;
+    square(&m, COUNT);
+    for (round = 0; round < 60; ++round) {
+        mesh_loops loops;
+        int how = (round % 2 ? MESH_ABOVE : MESH_BELOW) | (round % 4 < 2 ? CONTOUR_CLOSE : 0) | CONTOUR_PARTS;
+        for (k = 0; k < m.vertices; ++k) field[k] = between(&c, 0, 1);
+        CASE("field %d", (int)round);
+        cut(&m, field, between(&c, 0.1, 0.9), how, &loops);
+        for (k = 0; k < loops.loops; ++k, ++checked) {
+            double area = flat_area(&loops, k);
+            CHECK_NEAR(loops.enclosed[2 * k], area > 0 ? area : 4 + area, 1e-12);
+            CHECK_NEAR(loops.enclosed[2 * k + 1], area > 0 ? 4 - area : -area, 1e-12);
+        }
+        mesh_free_loops(&loops);
+    }
+    CHECK(checked > 300);
+    mesh_free(&m);
+}
+
+/* Two circles round a torus bound the same two parts: neither separates anything by itself. Together with its image on
+   the other side of the axis a small one does. */
+THEOREM(a_loop_that_does_not_separate_encloses_nothing)
+{
+    mesh m;
+    mesh_loops loops;
+    double *field, whole;
+    size_t k;
+    torus(&m);
+    whole = mesh_area(&m);
+    field = field_of(&m, height);
+    cut(&m, field, 0.01, MESH_BELOW | CONTOUR_PARTS, &loops);
+    CHECK_EQUAL(loops.loops, 2);
+    for (k = 0; k < 2 * loops.loops; ++k) CHECK(mesh__is_nan(loops.enclosed[k]));
+    CHECK_EQUAL(loops.part[0], loops.part[1]);
+    mesh_free_loops(&loops);
+    free(field);
+    field = field_of(&m, quadrants);
+    cut(&m, field, 0.03, MESH_BELOW | CONTOUR_PARTS, &loops); /* a ring of four parts */
+    CHECK_EQUAL(loops.loops, 4);
+    for (k = 0; k < 2 * loops.loops; ++k) CHECK(mesh__is_nan(loops.enclosed[k]));
+    mesh_free_loops(&loops);
+    free(field);
+    field = field_of(&m, x_of);
+    cut(&m, field, 1.2, MESH_ABOVE | CONTOUR_PARTS, &loops);
+    CHECK_EQUAL(loops.loops, 1);
+    CHECK_NEAR(loops.enclosed[0], loops.area, 1e-12);
+    CHECK_NEAR(loops.enclosed[1], whole - loops.area, 1e-12);
+    mesh_free_loops(&loops);
+    free(field);
+    mesh_free(&m);
+}
+
+/* A sphere cut at three heights by turns: caps and bands; what a loop has on its left is all beyond it. */
+THEOREM(bands_of_a_sphere_are_one_part_with_two_loops)
+{
+    mesh m;
+    mesh_loops loops;
+    mesh_error error;
+    double *field, whole;
+    size_t v;
+    sphere(&m, MESH_ICOSAHEDRON, 4);
+    whole = mesh_area(&m);
+    field = field_of(&m, height);
+    for (v = 0; v < m.vertices; ++v) field[v] = fabs(field[v] - 0.4);
+    cut(&m, field, 0.3, MESH_BELOW | CONTOUR_PARTS, &loops); /* between the heights 0.1 and 0.7 */
+    CHECK_EQUAL(loops.loops, 2);
+    CHECK_EQUAL(loops.part[0], loops.part[1]);
+    for (v = 0; v < 2; ++v) {
+        double top = loops.corner[3 * loops.start[v] + 2], left = top > 0.4 ? 1 + top : 1 - top;
+        CHECK_NEAR(loops.enclosed[2 * v] / whole, left / 2, 0.002);
+        CHECK_NEAR(loops.enclosed[2 * v] + loops.enclosed[2 * v + 1], whole, 1e-12);
+    }
+    CHECK_NEAR(loops.area, loops.enclosed[0] + loops.enclosed[2] - whole, 1e-12);
+    mesh_free_loops(&loops);
+    CHECK_EQUAL(mesh_level_set(&m, field, 3, MESH_BELOW | CONTOUR_CLOSE | CONTOUR_PARTS, &loops, &error), MESH_OK);
+    CHECK_EQUAL(loops.loops, 0); /* all of a closed surface */
+    mesh_free_loops(&loops);
+    free(field);
+    mesh_free(&m);
+}
+
 int main(void)
 {
     PROVE(off_obj_and_ply_of_one_mesh_read_the_same);
@@ -1235,5 +1409,9 @@ int main(void)
     PROVE(the_flower_on_refined_spheres_is_the_table_s_to_every_digit);
     PROVE(errors_of_mu_on_level_sets_fall_with_order_two);
     PROVE(contours_of_a_random_field_are_those_found_elsewhere);
+    PROVE(loops_closed_along_the_boundary_enclose_the_inside);
+    PROVE(a_loop_encloses_what_lies_beyond_it);
+    PROVE(a_loop_that_does_not_separate_encloses_nothing);
+    PROVE(bands_of_a_sphere_are_one_part_with_two_loops);
     return QED();
 }

@@ -165,8 +165,8 @@ static void outline_of(drawing *d, size_t region, outline *to)
 static void measure_plane(const double *corner, size_t n, measures *m)
 {
     surfmink_functionals w;
-    surfmink_outline outline = surfmink_plane(corner, n);
-    m->status = surfmink_measure(&outline, RANKS, m->mu, NULL, &w, NULL);
+    surfmink_outline view = surfmink_plane(corner, n);
+    m->status = surfmink_measure(&view, RANKS, m->mu, NULL, &w, NULL);
     m->length = w.length;
     m->area = w.area;
 }
@@ -176,10 +176,10 @@ static void measure_plane(const double *corner, size_t n, measures *m)
 static void measure_space(const double *corner, const double *normal, size_t n, measures *m)
 {
     surfmink_functionals w;
-    surfmink_outline outline = surfmink_embedded(corner, normal, n);
+    surfmink_outline view = surfmink_embedded(corner, normal, n);
     double area[3] = {0, 0, 0}, mean[3] = {0, 0, 0}, a[3], b[3], twice[3];
     size_t k, c;
-    m->status = surfmink_measure(&outline, RANKS, m->mu, NULL, &w, NULL);
+    m->status = surfmink_measure(&view, RANKS, m->mu, NULL, &w, NULL);
     m->length = w.length;
     for (k = 0; k < n; ++k) {
         for (c = 0; c < 3; ++c) {
@@ -333,36 +333,39 @@ static const double sphere[3] = {1, 1, 1}, ellipsoid[3] = {2, 1, 0.8};
 static const uint64_t seed_of_tables = 20261129;
 static const double bent = 0.4;
 
+/* rms of mu_2, mu_4, mu_6; bias of mu_6; rms of L and area. */
 static void print_errors(const errors *e)
 {
-    printf(" %.3f %.3f %.3f | %+.3f | %.3f | %.3f |", e->rms[2], e->rms[4], e->rms[6], e->bias[6], e->length, e->area);
+    printf(" %.3f %.3f %.3f %+.3f %.3f %.3f |", e->rms[2], e->rms[4], e->rms[6], e->bias[6], e->length, e->area);
 }
 
+/* A row for every tissue, with a column for every way. */
 static void print_tables(uint64_t seed)
 {
-    static const char *const name[WAYS] = {"staircase, 4 passes", "junctions", "curve"};
     errors e;
     size_t k;
     int way, curved;
     for (curved = 0; curved < 2; ++curved)
-        for (k = 0; k < SIZES; ++k)
+        for (k = 0; k < SIZES; ++k) {
+            printf("| %s | %lu |", curved ? "curved" : "straight", (unsigned long)size_of[k]);
             for (way = 0; way < WAYS; ++way) {
                 errors_in_plane(curved ? bent : 0, size_of[k], seed, (enum way)way, &e);
-                printf("| %s | %lu | %s |", curved ? "curved" : "straight", (unsigned long)size_of[k], name[way]);
                 print_errors(&e);
-                printf(" %lu |\n", (unsigned long)e.cells);
             }
-    for (k = 0; k < 2 * SURFACES; ++k)
-        for (way = 0; way < WAYS; ++way) {
-            const double *axis = k < SURFACES ? sphere : ellipsoid;
-            enum raster_chart kind = k % SURFACES == 2 ? RASTER_STEREOGRAPHIC : RASTER_MERCATOR;
-            double across = k % SURFACES == 1 ? 20 : 10;
-            errors_on_chart(axis, kind, across, seed, (enum way)way, &e);
-            printf("| %s, %s | %.0f | %s |", k < SURFACES ? "sphere" : "ellipsoid",
-                   kind == RASTER_MERCATOR ? "Mercator" : "stereographic", across, name[way]);
-            print_errors(&e);
-            printf(" %lu |\n", (unsigned long)e.cells);
+            putchar('\n');
         }
+    for (k = 0; k < 2 * SURFACES; ++k) {
+        const double *axis = k < SURFACES ? sphere : ellipsoid;
+        enum raster_chart kind = k % SURFACES == 2 ? RASTER_STEREOGRAPHIC : RASTER_MERCATOR;
+        double across = k % SURFACES == 1 ? 20 : 10;
+        printf("| %s, %s | %.0f |", k < SURFACES ? "sphere" : "ellipsoid",
+               kind == RASTER_MERCATOR ? "Mercator" : "stereographic", across);
+        for (way = 0; way < WAYS; ++way) {
+            errors_on_chart(axis, kind, across, seed, (enum way)way, &e);
+            print_errors(&e);
+        }
+        putchar('\n');
+    }
 }
 
 /* --- how exactly it draws ----------------------------------------------------------------------------------------- */

@@ -171,10 +171,53 @@ check "squares agree" "$(awk 'NR > 1 && ($3 < 1 - 1e-12 || $3 > 1 + 1e-12)' g.ts
 run --rank 6 --radius 1c --svg field.svg --title 'a < b' "$data/tissue.tsv"
 check "a picture" $status 0
 check "of all cells, each seen once" "$(grep -c '^<path d="M.*Z" fill="#' field.svg)" 400
+drawn_strokes field.svg > drawn
+check "rays, none of which leaves its cell" "$(cut -d ' ' -f 1,2 drawn)" \
+    "$((6 * $(grep -c '^<path fill="none" stroke-linecap' field.svg))) 0"
+check "in most cells" "$(awk '{ print ($1 > 6 * 300) }' drawn)" 1
+check "they show on every hue" "$(awk '{ print ($3 >= 37) }' drawn)" 1
+check "hues of five angles" "$(
+    sed -n '/<g id="hues"/,/<\/g>/p' field.svg | grep -c '<circle.*fill="#.*<path stroke="#.*d="M')" 5
 has "with the title in XML" field.svg "a &#60; b"
 check "no numbers that are none" "$(grep -c -i -e nan -e inf field.svg)" 0
 run --rank 4 --svg plane.svg --color-by order squares.tsv
 check "a picture of the plane" "$(grep -c '^<path d="M.*Z" fill="#' plane.svg)" 4
+check "coloured by order: no hues" "$(grep -c 'id="hues"' plane.svg)" 0
+check "and the rays show on the palest colour" "$(
+    drawn_strokes plane.svg | awk '{ print $1, $2, ($3 >= 37) }')" "16 0 1"
+run --rank 6 --radius 2c --svg field.svg --color-by order "$data/tissue.tsv"
+check "and on every other" "$(drawn_strokes field.svg | awk '{ print ($1 > 1800), $2, ($3 >= 37) }')" "1 0 1"
+# Which way the rays of a box lie on the page: 0 right, 90 up.
+rays() {
+    run --rank 2 --svg plane.svg "$@" boxes.tsv
+    sed -n 's/^<path fill="none" stroke-linecap.* d="M\([^M]*\)M.*/\1/p' plane.svg | tr L ' ' |
+        awk '{ a = atan2($2 - $4, $3 - $1) * 57.29577951308232; printf "%d ", (a < -1 ? a + 180.5 : a + 0.5) % 180 }'
+}
+printf 'cell\tx\ty\n' > boxes.tsv
+for corner in '0 0' '2 0' '2 1' '0 1'; do printf 'a\t%s\t%s\n' $corner; done >> boxes.tsv
+for corner in '2 0' '4 0' '4 1' '2 1'; do printf 'b\t%s\t%s\n' $corner; done >> boxes.tsv
+check "rays lie along the cells" "$(rays)" "0 0 "
+check "as they do if one asks" "$(rays --strokes along)" "0 0 "
+check "or across them" "$(rays --strokes across)" "90 90 "
+hue() {
+    sed -n 's/^<path d="M.*Z" fill="\(#[0-9a-f]*\)".*/\1/p' plane.svg | sort -u
+}
+rays > out
+along=$(hue)
+check "the hue is that of the rays in the key" "$along" "$(
+    sed -n '/<g id="hues"/,/<\/g>/s/.* fill="\(#[0-9a-f]*\)".*/\1/p' plane.svg | head -n 1)"
+rays --strokes across > out
+check "another one across" "$([ "$(hue)" = "$along" ]; echo $?)" 1
+# Charges beside the discs cover neither each other nor a disc.
+run --rank 2 --radius 1.5c --svg field.svg "$data/tissue.tsv"
+check "charges stand clear of discs and of each other" "$(
+    awk '/^<circle/ { gsub(/[^0-9.]+/, " "); split($0, a, " "); x[++n] = a[1]; y[n] = a[2]; w[n] = h[n] = a[3]; next }
+        /^<text text-anchor="middle".*\/2<\/text>/ { gsub(/[^0-9.]+/, " "); split($0, a, " ")
+            x[++n] = a[1]; y[n] = a[2] - 5; w[n] = 12; h[n] = 5; text[n] = 1; ++texts }
+        END { for (i = 1; i <= n; ++i) for (j = 1; j <= n; ++j)
+                  if (i != j && text[i] && (x[i] - x[j]) ^ 2 < (w[i] + w[j]) ^ 2 &&
+                      (y[i] - y[j]) ^ 2 < (h[i] + h[j]) ^ 2) ++bad
+              print (texts > 38), bad + 0 }' field.svg)" "1 0"
 
 # --- refusals ---------------------------------------------------------------------------------------------------------
 
@@ -252,6 +295,8 @@ refuses "patic: one FILE at a time: a tissue is one file $explains" --rank 4 squ
 refuses "patic: --defects needs one --radius $explains" --rank 4 --radius 1c,2c --defects d.tsv squares.tsv
 refuses "patic: --defects and --correlation would write the same file $explains" --rank 4 --defects d --correlation d
 refuses "patic: --color-by is for pictures: add --svg FILE $explains" --rank 4 --color-by order squares.tsv
+refuses "patic: --strokes is for pictures: add --svg FILE $explains" --rank 4 --strokes across squares.tsv
+refuses "patic: --strokes is along or across, not 'up' $explains" --rank 4 --strokes up --svg a.svg squares.tsv
 refuses "squares.tsv: --defects would overwrite it" --rank 4 --defects squares.tsv squares.tsv
 refuses "squares.tsv: --sphere-radius is for spheres, and this is none" --rank 4 --sphere-radius 2 squares.tsv
 check "nothing was overwritten" "$(sed -n 2p squares.tsv)" "a	0	0"

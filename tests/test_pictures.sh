@@ -129,7 +129,7 @@ check "no fonts but the reader's, and nothing from elsewhere" "$(grep -c 'href\|
 bar=$(sed -n 's/.*stroke-width="4" d="M[0-9. ]*h\([0-9.]*\)".*/\1/p' a.svg)
 side=$(sed -n 's/.*d="M\([0-9.]*\) [0-9.]*L\([0-9.]*\) .*<title>tri:.*/\2 \1/p' a.svg | awk '{ print $1 - $2 }')
 near_lists "the scale bar is as long as it says" "$bar" "$side" 0.02
-run shapes.tsv --directions center --max-rank 3 --svg a.svg --color-by mu_3
+run shapes.tsv --directions center --max-rank 3 --svg a.svg --color-by mu_3 --strokes across
 check "three strokes each, of the triangle and the kite" "$(grep -c stroke-linecap a.svg)" 2
 for which in 1 2; do
     want=$(awk -F '\t' -v row=$which 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i }
@@ -139,6 +139,19 @@ for which in 1 2; do
     near_lists "and a third of a turn on: $which" "$(strokes a.svg $which | sed -n 2p)" \
         "$(echo "$got" | awk '{ a = $1 + 120; print (a > 180 ? a - 360 : a) }')" 0.2
 done
+
+strokes a.svg 1 > across
+run shapes.tsv --svg a.svg --color-by mu_3
+run shapes.tsv --svg b.svg --color-by mu_3 --strokes along
+check "along is the default" "$(cmp a.svg b.svg)" ""
+near_lists "along lies between across" "$(strokes a.svg 1 | sort -n)" "$(
+    awk '{ a = $1 + 60; print (a > 180 ? a - 360 : a) }' across | sort -n)" 0.3
+run shapes.tsv --svg a.svg
+near_lists "strokes of mu_2 lie along a box" "$(strokes a.svg 1 | awk '{ print ($1 < 0 ? -$1 : $1) % 180 }')" "0
+0" 0.1
+run shapes.tsv --svg a.svg --strokes across
+near_lists "or across it" "$(strokes a.svg 1 | sort -n)" "-90
+90" 0.1
 
 # fills FILE ID: the colours of an outline in each panel.
 fills() {
@@ -212,6 +225,61 @@ check "what is behind the front" "$(view_name back)" "from behind"
 run --svg a.svg --view 1,2
 check "one view needs no name" "$(grep -c 'from above' a.svg)" 0
 
+# --- strokes stay in their outlines -----------------------------------------------------------------------------------
+
+# stays NAME STROKES: as many strokes as that, none leaves its outline, and each shows on its colour.
+stays() {
+    drawn_strokes a.svg > drawn
+    check "$1: strokes, and what lies outside" "$(cut -d ' ' -f 1,2 drawn)" "$2 0"
+    check "$1: a contrast of 3.7 at least" "$(awk '{ print ($3 >= 37 || $1 == 0) }' drawn)" 1
+}
+# Stars by chance, with arms of all lengths: most of their centres are close to an edge, or outside.
+stars() {
+    awk -v seed=$1 'BEGIN { srand(seed); print "c x y"
+        for (i = 0; i < 60; ++i) {
+            n = 3 + int(30 * rand()); turn = 6.283185307179586 * rand(); arm = 0.02 + rand()
+            for (k = 0; k < n; ++k) {
+                r = arm + (1 - arm) * rand() ^ 3
+                print "s" i, 2.2 * (i % 10) + r * cos(turn + k / n * 6.283185307179586), \
+                    2.2 * int(i / 10) + r * sin(turn + k / n * 6.283185307179586) } } }'
+}
+for way in along across; do
+    for p in 2 3 6; do
+        for seed in 1 2 3; do
+            stars $seed > in
+            run --svg a.svg --color-by mu_$p --strokes $way --quiet
+            stays "stars by chance, p = $p, $way" "$((p * $(grep -c '^<path fill="none" stroke-linecap' a.svg)))"
+            check "stars have strokes, p = $p, $way" "$(awk -v p=$p '{ print ($1 > 20 * p) }' drawn)" 1
+        done
+    done
+done
+run "$data/tissue.tsv" --svg a.svg --color-by mu_6 --view front --view back
+stays "a tissue" "$((6 * $(grep -c '^<path fill="none" stroke-linecap' a.svg)))"
+check "all over it" "$(awk '{ print ($1 > 6 * 300) }' drawn)" 1
+run "$data/tissue.tsv" --svg a.svg --color-by mu_1
+stays "a tissue, p = 1" "$(grep -c '^<path fill="none" stroke-linecap' a.svg)"
+run "$data/countries.tsv" --svg a.svg --view 20,25 --view -85,15 --quiet
+stays "countries, some cut by the horizon" "$((2 * $(grep -c '^<path fill="none" stroke-linecap' a.svg)))"
+# A crescent, whose centre lies outside.
+awk 'BEGIN { print "c x y"; for (k = -20; k <= 20; ++k) print "moon", cos(k / 8), sin(k / 8)
+    for (k = 20; k >= -20; --k) print "moon", 0.9 * cos(k / 8.5) , 0.9 * sin(k / 8.5) }' > in
+run --svg a.svg --strokes across
+stays "a crescent" 2
+# Of one length: half of a cell of the same size does not depend on its mu_4.
+printf 'c x y\na 0 0\na 1 0\na 1 1\na 0 1\nb 2 0\nb 3.2 -.2\nb 3 1\nb 2 .8\n' > in
+run --svg a.svg --color-by mu_4
+check "strokes do not tell how large mu is" "$(column mu_4 | awk '{ printf "%d ", 10 * $1 + .5 }')$(
+    sed -n 's/.*stroke-linecap.* d="M\([^M]*\)M.*/\1/p' a.svg | tr L ' ' |
+        awk '{ l[NR] = sqrt(($1 - $3) ^ 2 + ($2 - $4) ^ 2) } END { d = l[1] / l[2]; print NR, (d > .95 && d < 1.06) }'
+    )" "10 8 2 1"
+# mu_2 from 0.02 to 0.4: rectangles of 10 to 15, and one that sets the end of the bar.
+awk 'BEGIN { print "c x y"; for (i = 0; i <= 20; ++i) { w = 10 + i / 10; x = 20 * i
+    printf "r%02d %g 0\nr%02d %g 0\nr%02d %g 10\nr%02d %g 10\n", i, x, i, x + w, i, x + w, i, x }
+    print "end 500 0\nend 530 0\nend 530 10\nend 500 10" }' > in
+run --svg a.svg
+check "no strokes below a twentieth of the bar" "$(grep -c 'stroke-linecap' a.svg)" "$(
+    column mu_2 | awk '{ n += $1 >= 0.05 * 0.5 } END { print n }')"
+
 # --- the key of the strokes -------------------------------------------------------------------------------------------
 
 # key FILE: how many strokes each sample of it has.
@@ -221,27 +289,35 @@ key() {
 }
 # told FILE: what it says, without markup.
 told() {
-    sed 's/<[^>]*>//g' "$1" | awk '/direction|across/ { printf "%s", $0 }'
+    sed 's/<[^>]*>//g' "$1" | awk '/^directions? of/ { printf "%s", $0 }'
 }
 run shapes.tsv --svg a.svg --unit um
 check "two strokes and their key" "$(grep -c stroke-linecap a.svg) $(key a.svg)" "2 2 "
-check "what they are" "$(told a.svg)" "direction of μ2: across the long sides"
-has "in the description, too" a.svg "Strokes: eigenvectors"
+check "what they are" "$(told a.svg)" "direction of μ2: along the long axis"
+has "in the description, too" a.svg "Strokes: eigenvectors of the negative eigenvalue"
 check "in one row with the scale" "$(sed -n 's/.* y="\([0-9.]*\)".*>\(2 um\|direction\).*/\1/p' a.svg | uniq | wc -l |
     tr -d ' ')" 1
-# The sample is a rectangle that lies, crossed by an upright stroke.
-check "the stroke of the sample lies across its long sides" "$(
-    sed -n '/<g id="strokes"/,/<\/g>/p' a.svg | tr 'MLZ"' '\n\n\n\n' |
+# sample FILE: of the first sample of the key, width and height of the outline and of its stroke.
+sample() {
+    sed -n '/<g id="strokes"/,/<\/g>/p' "$1" | tr 'MLZ"' '\n\n\n\n' |
         awk '/^[0-9.]+ [0-9.]+$/ { x[++n] = $1; y[n] = $2 }
-        END { print (x[1] - x[2] > 2 * (y[2] - y[3])), (x[6] == x[5]), (y[6] - y[5] > 5), n }')" "1 1 1 8"
+        END { print x[1] - x[2], y[2] - y[3], x[8] - x[6], y[6] - y[8] }' | tr -d -
+}
+check "the sample: a rectangle that lies, and its stroke" "$(sample a.svg)" "28 12 21 0"
+run shapes.tsv --svg a.svg --unit um --strokes across
+check "across: an upright stroke in the same rectangle" "$(sample a.svg)" "28 12 0 9"
+check "across: what they are" "$(told a.svg)" "direction of μ2: across the long axis"
+has "across: in the description, too" a.svg "Strokes: eigenvectors of the positive eigenvalue"
 head -n 5 shapes.tsv > in
 run --svg a.svg --color-by mu_3
 check "no strokes, no key" "$(grep -c stroke-linecap a.svg) $(key a.svg)$(told a.svg)$(grep -c Strokes: a.svg)" "0 0"
 run --svg a.svg --color-by mu_2,mu_3,mu_4
 check "ranks without strokes are not in the key" "$(key a.svg)" "2 4 "
-check "several ranks" "$(told a.svg)" "directions of μp: across the long sides"
+check "several ranks" "$(told a.svg)" "directions of μp: along the long axis, towards corners"
 run --svg a.svg --color-by mu_3,mu_4
-check "one of two ranks" "$(key a.svg)$(told a.svg)" "4 directions of μ4: across the long sides"
+check "one of two ranks" "$(key a.svg)$(told a.svg)" "4 directions of μ4: towards corners"
+run --svg a.svg --color-by mu_3,mu_4 --strokes across
+check "across" "$(key a.svg)$(told a.svg)" "4 directions of μ4: across the sides"
 run "$data/tissue.tsv" --svg a.svg --color-by mu_6,mu_5 --view front --view back
 check "two views of two ranks" "$(key a.svg)" "6 5 "
 printf 'c x y\na 0 0\na 3 0\na 3 1\na 0 1\nb 4000 0\nb 4003 0\nb 4003 1\nb 4000 1\n' > in
@@ -250,21 +326,75 @@ check "strokes too short to be drawn" "$(grep -c stroke-linecap a.svg) $(key a.s
 printf 'c x y\na 0 0\na 0 1\na 1 1\n' > in
 run --svg a.svg --quiet
 check "nothing but what is refused" "$(key a.svg)$(grep -c '>refused<' a.svg)" 1
-# A page that is too narrow for one row: the parts stand below each other, and none leaves the page.
+# A page that is too narrow for one row: items stand below each other, each in one piece, and none leaves the page.
 printf 'c x y\na 0 0\na 1 0\na 1 20\na 0 20\nb 0 1\nb 0 2\nb 1 2\n' > in
 run --svg a.svg --quiet
-check "narrow: each part in a row of its own" "$(
-    sed -n 's/^\(<g fill="#222">\)*<text x="\([0-9.]*\)" y="\([0-9.]*\)">\([0-9(rda]\).*/\4 \2 \3/p' a.svg |
-        awk -v page="$(sed -n '1s/.* height="\([0-9]*\)".*/\1/p' a.svg)" \
-            '$3 > page - 200 { ++n; if ((n > 1 && $3 != last + 34) || $2 > 75 || $3 > page - 20) ++bad; last = $3 }
-             END { print n, bad + 0 }')" "5 0"
+# Where the texts of the foot begin, and what they say.
+foot() {
+    sed -n 's/^\(<g fill="#222">\)*<text x="\([0-9.]*\)" y="\([0-9.]*\)">\([0-9(rd].*\)<\/text>.*/\2 \3 \4/p' a.svg |
+        sed 's/<[^>]*>//g' | awk -v page="$(sed -n '1s/.* height="\([0-9]*\)".*/\1/p' a.svg)" '$2 > page - 130'
+}
+check "narrow: every item of the legend is in one piece" "$(foot | cut -d ' ' -f 3-)" "0.2 (units of the corners)
+refused
+direction of μ2: along the long axis"
+check "narrow: the longest in a row of its own" "$(
+    foot | awk 'NR > 1 { printf "%g ", $2 - last } { last = $2 }')" "0 34 "
 check "narrow: the first of them lies below the outlines" "$(
-    { sed -n 's/<path d="M\([^"]*\)Z".*<title>a:.*/\1/p' a.svg | tr 'L' '\n'
-      sed -n 's/.*<text x="\([0-9.]*\)" y="\([0-9.]*\)">[0-9.]*<.*/\1 \2 first/p' a.svg | tail -n 1; } |
-        awk '!$3 && $2 > lowest { lowest = $2 } $3 { print ($2 - lowest > 30 && $2 - lowest < 60) }')" 1
-check "narrow: the page has room for the widest" "$(sed -n '1s/.* width="\([0-9]*\)".*/\1/p' a.svg |
-    awk '{ print ($1 >= 40 + 22 * 10.8 && $1 < 300) }')" 1
-check "without a unit: whose units they are" "$(grep -c '(units of the corners)' a.svg)" 1
+    { sed -n 's/<path d="M\([^"]*\)Z".*<title>a:.*/\1/p' a.svg | tr 'L' '\n'; foot | sed '1s/$/ first/;2,$d'; } |
+        awk '!/first/ && $2 > lowest { lowest = $2 } /first/ { print ($2 - lowest > 30 && $2 - lowest < 60) }')" 1
+check "narrow: the page has room for the widest" "$(foot |
+    awk -v page="$(sed -n '1s/.* width="\([0-9]*\)".*/\1/p' a.svg)" '
+        { right = $1; $1 = $2 = ""; right += 10.5 * (length($0) - 2)
+          if (right > page - 20) ++bad; if (right > most) most = right }
+        END { print bad + 0, (page < most + 60) }')" "0 1"
+
+# --- every column of the results --------------------------------------------------------------------------------------
+
+columns="n L S area mu_3 error_L theta_5 sigma_6 center_z e_2_x coherence_4"
+run "$data/tissue.tsv" --error --noise 2% --directions center --svg a.svg --color-by "$(echo "$columns" | tr ' ' ,)"
+for name in $columns; do
+    # Of each cell that is seen: its value in the table, in the picture, and how light it is there.
+    awk -F '\t' -v name=$name '
+        FNR == 1 && NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) column = i; next }
+        NR == FNR { value[$1] = $column; next }
+        match($0, "<title>[^:]*: " name " = [^<]*") {
+            split(substr($0, RSTART + 7, RLENGTH - 7), part, ": " name " = ")
+            sub(/.*" fill="#/, "")
+            light = 0
+            for (k = 1; k <= 5; k += 2)
+                light += (k == 3 ? 6 : k == 1 ? 3 : 1) * \
+                    (16 * index("0123456789abcdef", substr($0, k, 1)) + index("0123456789abcdef", substr($0, k + 1, 1)))
+            print value[part[1]], part[2], light }' out a.svg | sort -g > drawn
+    check "--color-by $name: the values of the table" "$(awk '
+        { d = $1 - $2; if (d * d > 1e-8 + 1e-8 * $1 * $1) ++bad } END { print (NR > 120), bad + 0 }' drawn)" "1 0"
+    [ $name = theta_5 ] || check "--color-by $name: lighter is more" "$(awk '
+        $3 < last - 20 { ++bad } { last = $3 } END { print bad + 0 }' drawn)" 0
+    [ $name != theta_5 ] || check "--color-by $name: darker is farther from 0" "$(awk '
+        { print ($1 < 0 ? -$1 : $1), $3 }' drawn | sort -g | awk '$2 > last + 45 && NR > 1 { ++bad } { last = $2 }
+        END { print bad + 0 }')" 0
+done
+check "a panel, a name and a bar for each" \
+    "$(grep -c '<text x=.*bold">[a-k]<' a.svg) $(grep -c '_below)"' a.svg)" "11 11"
+has "names of columns" a.svg ">coherence_4</tspan>"
+has "Greek letters where they are formulas" a.svg '>θ</tspan><tspan font-size="70%" dy="5">5</tspan>'
+has "what the colours mean" a.svg "filled by n, dark for 4 to light for 9; by L, dark for 20 to light for 70; by S, "
+check "the angles from -pi/5 to pi/5" "$(grep -c '>−π/5</text>\|>π/5</text>' a.svg)" 2
+check "the ends of the map for angles are one colour" "$(
+    sed -n '/id="turn_below"/,/Gradient>/s/.*color="\(#[0-9a-f]*\)".*/\1/p' a.svg | sed -n '1p;$p' |
+        uniq | wc -l | tr -d ' ')" 1
+printf 'c x y\na 0 0\na 1 0\na 1 1\na 0 1\nb 2 0\nb 4 0\nb 4 1\nb 2 1\n' > in
+run --svg a.svg --color-by theta_2 --ply a.ply
+has "what is undefined is grey" a.svg 'fill="#c8c8c8"><title>a: theta_2 = undefined</title>'
+check "and in the legend" "$(grep -c '>undefined</text>' a.svg)" 1
+check "0 is pale" "$(fills a.svg b | grep -c . ; grep -c 'fill="#eeeeee"><title>b: theta_2 = 0<' a.svg)" "0
+1"
+run --svg a.svg --color-by area
+check "all is defined: nothing of it in the legend" "$(grep -c 'undefined' a.svg)" 0
+check "a column without a rank has no strokes" "$(grep -c stroke-linecap a.svg) $(key a.svg)" "0 "
+run --svg a.svg --color-by mu_2,theta_2,area
+check "two columns of one rank: one sample" "$(key a.svg)" "2 "
+run --svg a.svg --color-by e_2_z --directions --quiet
+check "a plane has no z: undefined" "$(grep -c 'e_2_z = undefined' a.svg)" 2
 
 # --- histograms -------------------------------------------------------------------------------------------------------
 
@@ -275,6 +405,14 @@ counts() {
 }
 run "$data/tissue.tsv" --histogram a.svg
 check "every cell is counted once, in every panel" "$(counts a.svg)" "400 400 400 400 400 400 "
+check "the axis says what is counted" "$(grep -c '>number of outlines, n = 400</text>' a.svg)" 6
+# Upright texts: as many letters as fit along the axis, which is 290 long with what is above it.
+check "and has room for it" "$(
+    sed -n 's/^<g font-size="\([0-9.]*\)"><g transform.*>number of \([^<]*\)<.*/\1 \2/p' a.svg |
+        awk '{ if ($1 * .54 * (length($0) - length($1) + 9) > 290.1) ++bad } END { print NR, bad + 0 }')" "6 0"
+cp a.svg b.svg
+run "$data/tissue.tsv" --histogram a.svg --svg c.svg --color-by area,mu_4
+check "whatever fills the outlines" "$(cmp a.svg b.svg)" ""
 for p in 2 6; do
     awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ {
         sub(/.*<title>/, ""); sub(/<.*/, ""); print panel, $0 }' a.svg |
@@ -288,8 +426,19 @@ done
 check "bars are as high as their counts, mu_3 for example" "$(
     awk '/<g fill="#5b7fa6"/ { ++panel } panel == 3 && /<\/title><\/rect>/ { print }' a.svg |
         sed -n 's/.* height="\([0-9.]*\)"><title>.*: \([0-9]*\)<.*/\1 \2/p' |
-        awk '{ d = $1 - 210 / 80 * $2; if (d * d > 1e-4) ++bad } END { print NR, bad + 0 }')" "$(
+        awk '{ d = $1 - 260 / 80 * $2; if (d * d > 1e-4) ++bad } END { print NR, bad + 0 }')" "$(
     column mu_3 | awk '{ n[int(20 * $1)] } END { for (k in n) ++bins; print bins, 0 }')"
+# Of each panel: is every bar as high as its count on the axis, whose last number is 260 above the first?
+scaled() {
+    awk '/<g fill="#5b7fa6"/ { panel++ } /<\/title><\/rect>/ {
+            height = $0; sub(/.* height="/, "", height); sub(/.*: /, "")
+            ++bars[panel]; bar[panel, bars[panel]] = height + 0; count[panel, bars[panel]] = $0 + 0 }
+        /^<text .*text-anchor="end">[0-9]*<\/text>/ { sub(/.*">/, ""); if ($0 + 0 > top[panel]) top[panel] = $0 + 0 }
+        END { for (p = 1; p <= panel; ++p) for (i = 1; i <= bars[p]; ++i) {
+                  d = bar[p, i] - 260 * count[p, i] / top[p]; if (d * d > 1e-4) ++bad }
+              print panel, bad + 0 }' a.svg
+}
+check "bars are as high as their counts, against the numbers of the axis" "$(scaled)" "6 0"
 # marks FILE: where they are, and of which count.
 marks() {
     sed -n 's/.* d="M\([0-9.]*\) [0-9.]*l-4 -8h8Z.*>\([0-9]*\)<\/text>.*/\1 \2/p' "$1"
@@ -297,23 +446,23 @@ marks() {
 check "bars too low to be seen are marked with their count, and no others" "$(marks a.svg | awk '{ print $2 }')" "$(
     awk '/<g fill="#5b7fa6"/ { ++panel } /<\/title><\/rect>/ {
         h = $0; sub(/.* height="/, "", h); sub(/".*/, "", h)
-        sub(/.*: /, ""); sub(/<.*/, ""); if (h + 0 < 2) print }' a.svg)"
+        sub(/.*: /, ""); sub(/<.*/, ""); if (h + 0 < 3) print }' a.svg)"
 awk 'BEGIN { print "c x y"
     for (i = 0; i < 400; ++i) printf "b%d 0 0\nb%d 1 0\nb%d 1 1\nb%d 0 1\n", i, i, i, i
     print "t 0 0\nt 2 0\nt 1 1.7320508075688772" }' > in
-run --histogram a.svg --color-by 3
+run --histogram a.svg --histogram-of 3
 check "one triangle among 400 squares is found" "$(marks a.svg)" "439.75 1"
-run --histogram a.svg --color-by 3,4
+run --histogram a.svg --histogram-of 3,4
 check "in both panels" "$(marks a.svg | wc -l | tr -d ' ')" 2
 # Twelve triangles of two kinds, in bins that touch: counts of two digits read upwards, not into each other.
 awk 'BEGIN { print "c x y"
     for (i = 0; i < 4000; ++i) printf "b%d 0 0\nb%d 1 0\nb%d 1 1\nb%d 0 1\n", i, i, i, i
     for (i = 0; i < 24; ++i) printf "t%d 0 0\nt%d 2 0\nt%d 1 %s\n", i, i, i, i < 12 ? "1.7320508" : "1.25" }' > in
-run --histogram a.svg --color-by 3
+run --histogram a.svg --histogram-of 3
 check "counts side by side read upwards" "$(marks a.svg | awk '{ print $2 }' | tr '\n' ' ')$(
     grep -A 1 'l-4 -8h8Z' a.svg | grep -c 'rotate(-90)')" "12 12 2"
-run four.tsv --histogram a.svg --color-by 3,2 --quiet
-check "the ranks that were asked for; what is refused is not counted" "$(counts a.svg)" "3 3 "
+run four.tsv --histogram a.svg --histogram-of 3,2 --quiet
+check "the columns that were asked for; what is refused is not counted" "$(counts a.svg)" "3 3 "
 has "but told" a.svg "1 outlines were refused"
 run four.tsv --histogram a.svg --max-rank 20 --quiet
 check "no more than twelve" "$(counts a.svg | wc -w | tr -d ' ')" 12
@@ -324,7 +473,29 @@ check "nothing measured: no bars, no median, no points, no outlines" \
     "$(grep -c 'rect x=\|median ' a.svg) $(grep -c '<circle' b.svg) $(grep -c '<title>x' c.svg) $(tail -n 1 d.ply)" \
     "0 0 0 end_header"
 
-# --- one rank over another --------------------------------------------------------------------------------------------
+run "$data/tissue.tsv" --histogram a.svg --histogram-of n,area,theta_4,L
+check "every cell is counted once, whatever the column" "$(counts a.svg)" "400 400 400 400 "
+bars() {
+    awk -v panel=$1 '/<g fill="#5b7fa6"/ { ++p }
+        p == panel && /<\/title><\/rect>/ { sub(/.*<title>/, ""); sub(/<.*/, ""); print }' a.svg
+}
+check "and its bar is as high as its count" "$(scaled)" "4 0"
+check "a bar for each number of corners" "$(bars 1)" "$(column n | sort -n | uniq -c |
+    awk '{ printf "%g to %g: %d\n", $2 - .5, $2 + .5, $1 }')"
+check "and its number below the middle of it" "$(
+    awk '/<rect x=.*3.5 to 4.5/ { gsub(/[^0-9.]+/, " "); split($0, a, " "); print a[1] + a[3] / 2 }' a.svg)" "$(
+    sed -n 's/<text x="\([0-9.]*\)".*>4<.*/\1/p' a.svg | head -n 1)"
+check "bars of areas, bin by bin" "$(bars 2 | sed 's/to.*:/ /' | awk '{ print $1, $2 }')" "$(
+    column area | awk '{ ++n[25 * int($1 / 25)] } END { for (k in n) print k, n[k] }' | sort -n)"
+check "angles have no median" "$(grep -c '>median' a.svg)" 3
+printf 'c x y\na 0 0\na 1 0\na 1 1\na 0 1\nb 2 0\nb 4 0\nb 4 1\nb 2 1\n' > in
+run --histogram a.svg --histogram-of theta_2,n,area --scatter b.svg --scatter-of theta_2,area
+check "n is the number of defined values" "$(grep -o 'outlines, n = [0-9]*' a.svg | tr '\n' ' ')" \
+    "outlines, n = 1 outlines, n = 2 outlines, n = 2 "
+check "of one value, too" "$(counts a.svg)" "1 2 2 "
+check "points whose values are defined" "$(grep -c '<circle' b.svg)" 1
+
+# --- one column over another ------------------------------------------------------------------------------------------
 
 # points FILE: what the tooltips say, and where the points are, in units of the axes.
 points() {
@@ -340,9 +511,16 @@ want=$(awk -F '\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
     { ++n; x = $at["mu_2"]; y = $at["mu_6"]; sx += x; sy += y; sxx += x * x; sxy += x * y; syy += y * y }
     END { printf "%.2f", (n * sxy - sx * sy) / sqrt((n * sxx - sx * sx) * (n * syy - sy * sy)) }' out)
 has "correlation" a.svg " = $want</text>"
-run "$data/tissue.tsv" --scatter a.svg --color-by mu_5,mu_3
-near_lists "other ranks" "$(points a.svg | awk '{ print ($1 - 110) / 560 }')" "$(column mu_5)" 2e-5
-near_lists "other ranks, upwards" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_3)" 2e-5
+run "$data/tissue.tsv" --scatter a.svg --scatter-of mu_5,mu_3
+near_lists "other columns" "$(points a.svg | awk '{ print ($1 - 110) / 560 }')" "$(column mu_5)" 2e-5
+near_lists "other columns, upwards" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_3)" 2e-5
+run "$data/tissue.tsv" --scatter a.svg --scatter-of area,L
+near_lists "areas to 300" "$(points a.svg | awk '{ print ($1 - 110) / 560 * 300 }')" "$(column area)" 0.01
+near_lists "lengths from 20 to 70" "$(points a.svg | awk '{ print 20 + (610 - $2) / 560 * 50 }')" "$(column L)" 0.001
+has "their correlation" a.svg "= 0.98</text>"
+cp a.svg b.svg
+run "$data/tissue.tsv" --scatter a.svg --scatter-of area,L --svg c.svg --color-by mu_5
+check "the same whatever fills the outlines" "$(cmp a.svg b.svg)" ""
 run shapes.tsv --scatter a.svg --max-rank 2
 near_lists "two ranks are enough" "$(points a.svg | awk '{ print (610 - $2) / 560 }')" "$(column mu_2)" 2e-5
 printf 'c,x,y\n"<&>",0,0\n"<&>",1,0\n"<&>",0,1\n' > in

@@ -527,16 +527,18 @@ THEOREM(regular_polygons_have_mu_one_at_multiples_of_n)
     static const double origin[2] = {0, 0}, off_centre[2] = {0.3, -0.4}, pole[3] = {0, 0, 1},
                         somewhere[3] = {0.6, 0, -0.8};
     surfmink_surface plane = spinning_plane(), hyperbolic = hyperbolic_plane(), sphere;
-    double radius = 3, distance;
+    double radius = 3, distance, within;
     sphere = surfmink_sphere_surface(&radius);
     for (distance = 0.01; distance < 4; distance *= 1.7) {
         regular_polygons(&plane, origin, distance, 2e-14);
         regular_polygons(&plane, off_centre, distance, 2e-14 / fmin(distance, 1));
         regular_polygons(&hyperbolic, origin, distance, 2e-13);
         regular_polygons(&hyperbolic, off_centre, fmin(distance, 1.5), 1e-13 / fmin(distance, 1));
-        regular_polygons(&sphere, pole, distance,
-                         2e-14 / fmin(distance, 1)); /* up to 4/3 of the way to the antipode of the centre */
-        regular_polygons(&sphere, somewhere, distance, 2e-14 / fmin(distance, 1));
+        /* S = 2 pi cos(distance / radius): the smaller it is, the more the rounding
+           of the corners moves mu (ACCURACY). */
+        within = 2e-14 / fmin(distance, 1) / cos(distance / radius);
+        regular_polygons(&sphere, pole, distance, within);
+        regular_polygons(&sphere, somewhere, distance, within);
     }
 }
 

@@ -278,7 +278,7 @@ THEOREM(a_closed_geodesic_without_the_defect_has_mu_one)
 /* Paper 2.3: no construction with regular polygons at one is continuous there. */
 THEOREM(a_regular_polygon_keeps_its_mu_up_to_the_great_circle)
 {
-    double corner[15], mu[P + 1], height;
+    double corner[15] = {0}, mu[P + 1], height;
     surfmink_outline o = surfmink_sphere(corner, 5, 1);
     int i, p;
     for (height = 0.5; height > 1e-9; height /= 10) {
@@ -544,7 +544,7 @@ THEOREM(an_angle_changes_by_no_more_than_its_vectors)
 /* The cosine of the turn at corner 1 of the outline -v, 0, w: of P v and P w, where P projects along the normal. */
 static double cosine(const double *v, const double *w, const double *normal)
 {
-    double corner[9], normals[9], length[3], turning[3];
+    double corner[9] = {0}, normals[9] = {0}, length[3], turning[3];
     surfmink_outline o = surfmink_embedded(corner, normals, 3);
     int k;
     for (k = 0; k < 3; ++k) {

@@ -622,16 +622,17 @@ static inline void surfmink_curve__estimate(surfmink_curve__work *work, const su
 {
     static const double safety = 2;       /* with it the estimates hold as often as docs/internals/beyond.md says */
     static const double rounding = 2e-14; /* of mu, over 1 + condition: docs/internals/beyond.md */
-    double noise = rounding * (1 + all->w.condition), phase = 2 * surfmink_curve__pi * all->sharpest / all->w.turning;
-    double half, quarter, growth, twofold = -1, fourfold = -1;
+    double noise = rounding * (1 + all->w.condition), half, quarter, growth, phase, twofold = -1, fourfold = -1;
     int p;
+    for (p = 0; p <= max_rank; ++p) error[p] = SURFMINK_CURVE_UNKNOWN;
+    if (!(all->w.turning > 0)) return; /* there are no arcs */
+    phase = 2 * surfmink_curve__pi * all->sharpest / all->w.turning;
     surfmink_curve__integrate(all, max_rank + 1, work->fine, NULL);
     work->fine[0] = 1;
     if (work->outline.n >= 12 && all->w.length > 0) /* every fourth corner makes a polygon */
         twofold = surfmink_curve__deviations(work, 2, all, max_rank + 1, work->half);
     if (twofold >= 0) fourfold = surfmink_curve__deviations(work, 4, all, max_rank + 1, work->quarter);
     for (p = 0; p <= max_rank; ++p) {
-        error[p] = SURFMINK_CURVE_UNKNOWN;
         if (!(fourfold >= 0 && p * phase < surfmink_curve__pi)) continue;
         half = surfmink_curve__around(work->half, p);
         quarter = surfmink_curve__around(work->quarter, p);
@@ -690,7 +691,7 @@ static inline int surfmink_curve(const surfmink_outline *outline, const surfmink
     work.unit = surfmink_curve__unit(outline, w.length);
     c = surfmink_curve__arcs_of(&work, outline->n);
     if (options->order == 2) {
-        surfmink_curve__make_arcs(&c, 2); /* if that fails, c.w stays 0, and nothing is known of errors */
+        surfmink_curve__make_arcs(&c, 2); /* if that fails, c.w stays 0, and errors are unknown */
         if ((status = surfmink_measure(outline, max_rank, out->mu, out->g, &w, bad)) != SURFMINK_OK) return status;
     } else {
         if ((status = surfmink_curve__curvatures(&work, bad)) != SURFMINK_OK) return status;

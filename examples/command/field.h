@@ -2,17 +2,23 @@
 
    A direction needs something to be measured from. Here it is what points to the right on the page, carried from the
    eye to the cell by the smallest rotation, so a hue says how the rays lie on the page. Hues go once round for 1/p of
-   a turn. Defects are told apart without colour: a black disc with a plus, a white one with a minus; a charge of k/p
+   a turn. Rays lie along the directions of -lambda_p unless --strokes across asks for those of the table. Defects are told apart without colour: a black disc with a plus, a white one with a minus; a charge of k/p
    has k - 1 rings more, and where there are few it is printed. */
 #ifndef SURFMINK_COMMAND_FIELD_H
 #define SURFMINK_COMMAND_FIELD_H
 
 #include "../picture/camera.h"
+#include "../picture/strokes.h"
+#include "../picture/svg.h"
 #include "common.h"
 #include "options.h"
 
 /* Pixels. Charges are printed beside fewer than LABELLED defects of a panel. */
 enum { FIELD_MARGIN = 20, FIELD_PANEL = 620, FIELD_TEXT = 20, FIELD_HEAD = 44, LABELLED = 25 };
+
+/* Rays are as long as this part of the perimeter, a third of the width of a cell. How large the order is the colour
+   says: below this part of the largest there are none, as in the pictures of surfmink. */
+static const double FIELD_REACH = 1.0 / 9, FIELD_LEAST = 0.05;
 
 typedef struct field_panel {
     camera eye;
@@ -20,7 +26,9 @@ typedef struct field_panel {
     double height, scale, middle[2]; /* pixels a unit; what is seen in the middle */
     double low[2], high[2];          /* of what is seen */
     size_t seen;                     /* cells */
-    size_t *order;                   /* cells from back to front */
+    double *ring;                    /* of the cell that is being drawn: x y on the page */
+    size_t ring_room;
+    size_t *order; /* cells from back to front */
     double *depth;
 } field_panel;
 
@@ -135,19 +143,17 @@ static void put_place(FILE *out, const double page[2])
     }
 }
 
-/* A colour of equal lightness for every angle, mixed with white where the order is low; or a grey-safe scale of
-   order. */
-static void put_fill(FILE *out, double angle, double order, int by_order)
+/* A colour for every angle, mixed with white where the order is low, and so light that dark rays show on all of them; or
+   that of the order, as surfmink colours mu_p. */
+static void find_fill(double angle, double order, int by_order, int part[3])
 {
     static const double third = 2.0943951023931953;
-    int k, part[3];
-    for (k = 0; k < 3; ++k) {
-        double full = 0.62 + 0.36 * cos(angle - third * k), share = fmin(1, 0.25 + 0.75 * sqrt(order));
-        if (by_order)
-            full = k == 0 ? 0.17 + 0.8 * order : k == 1 ? 0.13 + 0.78 * order : 0.38 + 0.18 * order, share = 1;
+    int k;
+    if (by_order) find_color(order, part);
+    for (k = 0; k < 3 && !by_order; ++k) {
+        double full = 0.68 + 0.32 * cos(angle - third * k), share = fmin(1, 0.25 + 0.75 * sqrt(order));
         part[k] = (int)(255 * fmin(1, fmax(0, share * full + 1 - share)) + 0.5);
     }
-    fprintf(out, "#%02x%02x%02x", (unsigned)part[0], (unsigned)part[1], (unsigned)part[2]);
 }
 
 /* p psi against the right of the page. */
@@ -160,40 +166,60 @@ static double angle_on_page(const patic *t, const field_panel *panel, int p, con
     return atan2(z[2 * c + 1], z[2 * c]) - p * atan2(dot(right, cell->across), dot(right, cell->axis));
 }
 
-static void put_cell(FILE *out, const patic *t, const field_panel *panel, int p, const double *z, size_t c, double most,
-                     int by_order)
+/* A cell; its outline on the page is kept for the rays. */
+static void put_cell(FILE *out, const patic *t, field_panel *panel, size_t c, const int fill[3])
 {
-    double order = hypot(z[2 * c], z[2 * c + 1]) / most, x[3], page[2];
-    size_t h;
-    for (h = t->offset[c]; h < t->offset[c + 1]; ++h) {
-        field_corner(t, h, x);
-        place_on_page(panel, x, page);
-        fputs(h == t->offset[c] ? "<path d=\"M" : "L", out);
-        put_place(out, page);
+    double x[3];
+    size_t h, n = t->offset[c + 1] - t->offset[c];
+    panel->ring = (double *)grow(panel->ring, &panel->ring_room, 2 * n, sizeof *panel->ring);
+    for (h = 0; h < n; ++h) {
+        field_corner(t, t->offset[c] + h, x);
+        place_on_page(panel, x, panel->ring + 2 * h);
+        fputs(h == 0 ? "<path d=\"M" : "L", out);
+        put_place(out, panel->ring + 2 * h);
     }
-    fputs("Z\" fill=\"", out);
-    put_fill(out, order > 0 ? angle_on_page(t, panel, p, z, c) : 0, order, by_order);
-    fputs("\"/>\n", out);
+    fprintf(out, "Z\" fill=\"#%02x%02x%02x\"/>\n", (unsigned)fill[0], (unsigned)fill[1], (unsigned)fill[2]);
 }
 
-/* Rays along all p directions, as long as a third of the cell is wide; shorter where the order is less. */
-static void put_rays(FILE *out, const patic *t, const field_panel *panel, int p, const double *z, size_t c, double most)
+/* Rays along all p directions, as long as a third of the cell is wide if it has room for them. */
+static void put_rays(FILE *out, const patic *t, const field_panel *panel, int p, const double *z, size_t c, int along,
+                     const int fill[3])
 {
     const patic_cell *cell = &t->cell[c];
-    double order = hypot(z[2 * c], z[2 * c + 1]) / most, size, psi, x[3], page[2];
-    int n, k;
-    if (!(order > 0)) return;
-    size = cell->length / 9 * (0.35 + 0.65 * sqrt(order));
+    double page[2], step[2], x[3];
+    size_t corners = t->offset[c + 1] - t->offset[c];
+    strokes rays;
+    rings outline;
+    double reach = FIELD_REACH * cell->length;
+    int n, i, k;
+    if (dot(cell->normal, panel->eye.eye) < 0.15) return; /* too slanted for them to be seen */
+    outline.point = panel->ring;
+    outline.stride = 2;
+    outline.end = &corners;
+    outline.count = 1;
+    rays.p = p;
+    rays.first = atan2(z[2 * c + 1], z[2 * c]) / p + (along ? 3.14159265358979323846 / p : 0);
+    place_on_page(panel, cell->centre, rays.middle);
+    for (i = 0; i < 2; ++i) {
+        const double *axis = i == 0 ? cell->axis : cell->across;
+        for (k = 0; k < 3; ++k) x[k] = cell->centre[k] + reach * axis[k];
+        place_on_page(panel, x, rays.axis[i]);
+        for (k = 0; k < 2; ++k) rays.axis[i][k] -= rays.middle[k];
+    }
+    reach *= panel->scale * keep_strokes_inside(&rays, &outline);
+    if (reach < 1.5) return;
+    fprintf(out, "<path fill=\"none\" stroke-linecap=\"round\" stroke=\"%s\" stroke-width=\"", ink_on(fill));
+    put_pixels(out, fmax(0.5, fmin(1.6, 0.13 * reach)));
+    fputs("\" d=\"", out);
     for (n = 0; n < p; ++n) {
-        psi = (atan2(z[2 * c + 1], z[2 * c]) + 2 * 3.14159265358979323846 * n) / p;
-        place_on_page(panel, cell->centre, page);
+        stroke_step(&rays, n, step);
+        for (k = 0; k < 2; ++k) page[k] = rays.middle[k] + step[k];
         fputc('M', out);
-        put_place(out, page);
-        for (k = 0; k < 3; ++k) x[k] = cell->centre[k] + size * (cos(psi) * cell->axis[k] + sin(psi) * cell->across[k]);
-        place_on_page(panel, x, page);
+        put_place(out, rays.middle);
         fputc('L', out);
         put_place(out, page);
     }
+    fputs("\"/>\n", out);
 }
 
 static int is_in_front(const patic *t, const field_panel *panel, const patic_defect *d)
@@ -202,7 +228,13 @@ static int is_in_front(const patic *t, const field_panel *panel, const patic_def
     return dot(t->cell[c].normal, panel->eye.eye) > 0;
 }
 
-static void put_defect(FILE *out, const field_panel *panel, int p, const patic_defect *d, double size, int labelled)
+static double disc_radius(const patic_defect *d, double size)
+{
+    long many = labs(d->k);
+    return size * (1 + 0.45 * (double)((many < 4 ? many : 4) - 1));
+}
+
+static void put_defect(FILE *out, const field_panel *panel, const patic_defect *d, double size)
 {
     double page[2];
     long k, many = labs(d->k);
@@ -229,38 +261,132 @@ static void put_defect(FILE *out, const field_panel *panel, int p, const patic_d
         put_place(out, page);
         fputc('v', out);
         put_decimals(out, size, 1);
-        page[1] += size / 2;
     }
     fputs("\"/>\n", out);
-    if (!labelled) return;
-    fputs("<text x=\"", out);
-    put_decimals(out, fmax(0, page[0] + size + 4), 1);
-    fputs("\" y=\"", out);
-    put_decimals(out, fmax(0, page[1] + 6), 1);
-    fprintf(out, "\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">%s%ld/%d</text>\n",
-            d->k > 0 ? "+" : "\xe2\x88\x92", many, p);
 }
 
-static void put_panel(FILE *out, const patic *t, const field_panel *panel, int p, const double *z, double most,
-                      int by_order)
+/* --- charges beside the discs ------------------------------------------------------------------------------------- */
+
+/* What the charges of a panel must not cover: the middles of boxes, and half their widths and heights. */
+typedef struct taken {
+    double middle[2 * LABELLED][2], half[2 * LABELLED][2];
+    int count;
+} taken;
+
+static void take(taken *all, const double middle[2], double half_width, double half_height)
 {
+    int k;
+    for (k = 0; k < 2; ++k) all->middle[all->count][k] = middle[k];
+    all->half[all->count][0] = half_width;
+    all->half[all->count++][1] = half_height;
+}
+
+static int is_free(const taken *all, const double middle[2], const double half[2])
+{
+    int i;
+    for (i = 0; i < all->count; ++i)
+        if (fabs(middle[0] - all->middle[i][0]) < half[0] + all->half[i][0] &&
+            fabs(middle[1] - all->middle[i][1]) < half[1] + all->half[i][1])
+            return 0;
+    return middle[0] - half[0] > 0 && middle[1] - half[1] > 0;
+}
+
+/* To the right of the disc, or to its left, above or below it; nowhere if it would cover another disc or charge. */
+static void put_charge(FILE *out, const field_panel *panel, int p, const patic_defect *d, double size, taken *all)
+{
+    static const int side[4][2] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}};
+    double page[2], middle[2], half[2], radius = disc_radius(d, size);
+    char text[48];
+    int k, length = snprintf(text, sizeof text, "%ld/%d", labs(d->k), p) + 1;
+    half[0] = 3.9 * length; /* letters of 14 pixels */
+    half[1] = 6;
+    place_on_page(panel, d->x, page);
+    for (k = 0; k < 4; ++k) {
+        middle[0] = page[0] + side[k][0] * (radius + 3 + half[0]);
+        middle[1] = page[1] + side[k][1] * (radius + 2 + half[1]);
+        if (is_free(all, middle, half)) break;
+    }
+    if (k == 4) return;
+    take(all, middle, half[0], half[1]);
+    fputs("<text text-anchor=\"middle\" x=\"", out);
+    put_decimals(out, middle[0], 1);
+    fputs("\" y=\"", out);
+    put_decimals(out, middle[1] + 5, 1);
+    fprintf(out, "\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\">%s%s</text>\n",
+            d->k > 0 ? "+" : "\xe2\x88\x92", text);
+}
+
+static void put_defects(FILE *out, const patic *t, const field_panel *panel, int p)
+{
+    double size = fmin(9, fmax(3, 0.22 * t->spacing * panel->scale)), page[2];
     size_t i, defects = 0;
-    double size = fmin(9, fmax(3, 0.22 * t->spacing * panel->scale));
+    taken all;
+    all.count = 0;
+    for (i = 0; i < t->defects; ++i) {
+        const patic_defect *d = &t->defect[i];
+        if (!is_in_front(t, panel, d)) continue;
+        put_defect(out, panel, d, size);
+        place_on_page(panel, d->x, page);
+        if (defects++ < LABELLED) take(&all, page, disc_radius(d, size), disc_radius(d, size));
+    }
+    for (i = 0; i < t->defects && defects < LABELLED; ++i)
+        if (is_in_front(t, panel, &t->defect[i])) put_charge(out, panel, p, &t->defect[i], size, &all);
+}
+
+static void put_panel(FILE *out, const patic *t, field_panel *panel, int p, const double *z, double most, int by_order,
+                      int along)
+{
+    double order, angle;
+    size_t i;
+    int fill[3];
     fputs("<g stroke=\"#fff\" stroke-width=\".7\" stroke-linejoin=\"round\">\n", out);
-    for (i = 0; i < panel->seen; ++i) put_cell(out, t, panel, p, z, panel->order[i], most, by_order);
-    fprintf(out, "</g>\n<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.1\" d=\"", by_order ? "#fff" : "#222");
-    for (i = 0; i < panel->seen; ++i) put_rays(out, t, panel, p, z, panel->order[i], most);
-    fputs("M0 0\"/>\n<g font-size=\"14\" stroke-width=\"1.4\">\n", out);
-    for (i = 0; i < t->defects; ++i) defects += is_in_front(t, panel, &t->defect[i]) ? 1 : 0;
-    for (i = 0; i < t->defects; ++i)
-        if (is_in_front(t, panel, &t->defect[i])) put_defect(out, panel, p, &t->defect[i], size, defects < LABELLED);
+    for (i = 0; i < panel->seen; ++i) {
+        size_t c = panel->order[i];
+        order = hypot(z[2 * c], z[2 * c + 1]) / most;
+        angle = order > 0 ? angle_on_page(t, panel, p, z, c) + (along ? 3.14159265358979323846 : 0) : 0;
+        find_fill(angle, order, by_order, fill);
+        put_cell(out, t, panel, c, fill);
+        if (order >= FIELD_LEAST) put_rays(out, t, panel, p, z, c, along, fill);
+    }
+    fputs("</g>\n<g font-size=\"14\" stroke-width=\"1.4\">\n", out);
+    put_defects(out, t, panel, p);
     fputs("</g>\n", out);
 }
 
 /* --- the page ----------------------------------------------------------------------------------------------------- */
 
-static void put_page(FILE *out, const patic *t, const field_panel *panel, int panels, int p, const double *z,
-                     int by_order, const options *o)
+/* Some angles and their hues, in a row that ends at `right`. */
+static void put_hues(FILE *out, int p, double right, double y)
+{
+    enum { HUES = 5, HUE_WIDTH = 32 };
+    const double turn = 6.283185307179586;
+    double x, angle;
+    int i, n, fill[3];
+    fputs("<g id=\"hues\" stroke-linecap=\"round\">\n", out);
+    for (i = 0; i < HUES; ++i) {
+        x = right - HUE_WIDTH * (HUES - 0.5 - i);
+        find_fill(turn * i / HUES, 1, 0, fill);
+        begin_circle(out, x, y, 14);
+        fprintf(out, " fill=\"#%02x%02x%02x\"/><path stroke=\"%s\" stroke-width=\"1.6\" d=\"", (unsigned)fill[0],
+                (unsigned)fill[1], (unsigned)fill[2], ink_on(fill));
+        for (n = 0; n < p; ++n) {
+            angle = turn * (n + (double)i / HUES) / p;
+            fputc('M', out);
+            put_pixels(out, x);
+            fputc(' ', out);
+            put_pixels(out, y);
+            fputc('L', out);
+            put_pixels(out, x + 10 * cos(angle));
+            fputc(' ', out);
+            put_pixels(out, y - 10 * sin(angle));
+        }
+        fputs("\"/>\n", out);
+    }
+    fputs("</g>\n", out);
+}
+
+static void put_page(FILE *out, const patic *t, field_panel *panel, int panels, int p, const double *z, int by_order,
+                     const options *o)
 {
     int head = o->title ? FIELD_HEAD : 0, width = panels * FIELD_PANEL + (panels + 1) * FIELD_MARGIN, i;
     int height = head + (int)panel[0].height + 2 * FIELD_MARGIN + 2 * FIELD_TEXT;
@@ -292,7 +418,7 @@ static void put_page(FILE *out, const patic *t, const field_panel *panel, int pa
         put_text(out, o->title, IN_XML);
         fputs("</text>\n", out);
     }
-    for (i = 0; i < panels; ++i) put_panel(out, t, &panel[i], p, z, most > 0 ? most : 1, by_order);
+    for (i = 0; i < panels; ++i) put_panel(out, t, &panel[i], p, z, most > 0 ? most : 1, by_order, is_along(o));
     fprintf(out,
             "<g transform=\"translate(%d %d)\"><circle cx=\"8\" cy=\"-6\" r=\"7\"/><text x=\"22\">%lu</text>"
             "<circle cx=\"98\" cy=\"-6\" r=\"7\" fill=\"#fff\" stroke=\"#000\" stroke-width=\"1.4\"/>"
@@ -303,7 +429,9 @@ static void put_page(FILE *out, const patic *t, const field_panel *panel, int pa
         fputs(", yellow ", out);
         put_decimals(out, most, 3);
     }
-    fputs("</text></g>\n</svg>\n", out);
+    fputs("</text></g>\n", out);
+    if (!by_order) put_hues(out, p, width - FIELD_MARGIN, height - FIELD_MARGIN - 6);
+    fputs("</svg>\n", out);
 }
 
 /* Draws t->defects, too: after patic_defects. */
@@ -316,6 +444,8 @@ static void write_field(const patic *t, int p, const double *z, int by_order, co
     FILE *out;
     for (i = 0; i < panels; ++i) {
         panel[i].eye = eye[i];
+        panel[i].ring = NULL;
+        panel[i].ring_room = 0;
         panel[i].order = (size_t *)resize(NULL, t->cells + 1, sizeof *panel[i].order);
         panel[i].depth = (double *)resize(NULL, t->cells + 1, sizeof *panel[i].depth);
         panel[i].left = FIELD_MARGIN + i * (FIELD_PANEL + FIELD_MARGIN);
@@ -336,6 +466,7 @@ static void write_field(const patic *t, int p, const double *z, int by_order, co
     failed = ferror(out);
     if (fclose(out) != 0 || failed) die("%s: cannot write: %s", o->svg, strerror(errno));
     for (i = 0; i < panels; ++i) {
+        free(panel[i].ring);
         free(panel[i].order);
         free(panel[i].depth);
     }

@@ -137,6 +137,7 @@ static void end_feature(geojson *g)
         remark("%s:%lu: id %s comes again: --id takes the ids from another property", g->json.in->name, g->json.line,
                g->ids + g->ids_length);
     g->ids_length += strlen(g->ids + g->ids_length) + 1;
+    g->first_of_feature = g->rings.count;
 }
 
 /* An object: a collection, a feature, or a geometry, in which type and coordinates may come in any order. */

@@ -1,10 +1,11 @@
 /* map.h - step 5 of the command, if asked for: the shapes of a picture -> a picture of them, in one panel or several.
 
-   Panels differ in the rank that fills the outlines and in where they are seen from. All have the same scale. Each rank
-   has its own colours, for some are always smaller than others: one bar at the right, or one below each panel. */
+   Panels differ in the column that fills the outlines and in where they are seen from. All have the same scale. Each
+   column has its own colours, for some are always smaller than others: one bar at the right, or one below each panel. */
 #ifndef SURFMINK_COMMAND_MAP_H
 #define SURFMINK_COMMAND_MAP_H
 
+#include "../picture/strokes.h"
 #include "horizon.h"
 #include "svg.h"
 
@@ -23,7 +24,7 @@ enum {
 };
 
 /* What stands below the panels, from left to right, and in more rows where there is no room. */
-enum foot { FOOT_SCALE, FOOT_UNIT, FOOT_REFUSED, FOOT_STROKES, FOOT_ACROSS, FOOT_ITEMS };
+enum foot { FOOT_SCALE, FOOT_REFUSED, FOOT_UNDEFINED, FOOT_STROKES, FOOT_ITEMS };
 
 typedef struct item {
     double width; /* pixels; 0: not shown */
@@ -34,13 +35,14 @@ typedef struct item {
 /* One panel. */
 typedef struct panel {
     camera camera;
-    int color; /* which of the ranks */
-    int rank;  /* p */
+    int color; /* which of the columns */
+    int rank;  /* of its strokes; 0: it has none */
+    range range;
+    double mu_top; /* of the rank; strokes are left out where mu_p is a small part of it */
     int view;
     double least[2], most[2]; /* what is drawn, in view coordinates */
     double width, height;     /* pixels */
     double left, top;         /* pixels, of its upper left corner */
-    double bar_top, bar_tick; /* of the colour bar */
     int whole_sphere;
     int strokes; /* can any be seen? */
 } panel;
@@ -60,7 +62,9 @@ typedef struct drawing {
     int foot_rows;
     double bar_length; /* of the scale; 0: there is none */
     horizon horizon;
-    points ring;
+    points ring, seen; /* of the outline that is being drawn: all of it that can be seen, ring after ring */
+    size_t *ring_end;  /* in `seen` */
+    size_t rings, ring_room;
 } drawing;
 
 /* --- colour ------------------------------------------------------------------------------------------------------- */
@@ -78,6 +82,35 @@ static double color_top(const picture *g, const options *o, int p, double *tick)
     for (k = 0; k < 8 && most > top[k][0]; ++k) continue;
     *tick = top[k][1];
     return top[k][0];
+}
+
+/* What the colours of a panel stand for. */
+static range color_range(const picture *g, const options *o, int color)
+{
+    const quantity *q = &o->color_by.of[color];
+    range r = {0, 1, 1, 0};
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    size_t i;
+    if (is_of(q, "theta")) return range_of_theta(q->rank);
+    if (is_of(q, "mu")) {
+        r.high = color_top(g, o, q->rank, &r.step);
+        return r;
+    }
+    for (i = 0; i < g->shapes; ++i) {
+        double value = value_of(g, o, i, color);
+        if (g->shape[i].status != SURFMINK_OK || isnan(value)) continue;
+        least = fmin(least, value);
+        most = fmax(most, value);
+    }
+    return range_of_values(least, most);
+}
+
+/* Of a value; grey if it is undefined. */
+static void find_value_color(const range *r, double value, int color[3])
+{
+    int k;
+    for (k = 0; k < 3; ++k) color[k] = 200;
+    if (!isnan(value)) find_color_in(r->turn ? turn_map : color_map, (value - r->low) / (r->high - r->low), color);
 }
 
 /* --- points ------------------------------------------------------------------------------------------------------- */
@@ -101,16 +134,27 @@ static void put_point(const drawing *d, char command, const double *view)
 }
 
 /* Points that fall together in the picture are left out: coastlines have many. */
-static void put_ring(const drawing *d, const points *ring)
+static void keep_ring(drawing *d, const points *ring)
 {
     size_t i, last = 0;
     for (i = 0; i < ring->n; ++i) {
         const double *x = ring->x + 3 * i, *previous = ring->x + 3 * last;
         if (i > 0 && hypot(x[0] - previous[0], x[1] - previous[1]) * d->scale < 0.05) continue;
-        put_point(d, i == 0 ? 'M' : 'L', x);
+        add_point(&d->seen, x);
         last = i;
     }
-    fputc('Z', d->file);
+    d->ring_end = (size_t *)grow(d->ring_end, &d->ring_room, d->rings + 1, sizeof *d->ring_end);
+    d->ring_end[d->rings++] = d->seen.n;
+}
+
+static void put_rings(const drawing *d)
+{
+    size_t ring, i = 0;
+    for (ring = 0; ring < d->rings; ++ring) {
+        size_t first = i;
+        for (; i < d->ring_end[ring]; ++i) put_point(d, i == first ? 'M' : 'L', d->seen.x + 3 * i);
+        fputc('Z', d->file);
+    }
 }
 
 /* --- size --------------------------------------------------------------------------------------------------------- */
@@ -179,7 +223,7 @@ static void place_panels(drawing *d, const picture *g)
 {
     const options *o = d->options;
     int views = o->views > 0 ? o->views : 1, colors = map_colors(o), i;
-    double longest = 0;
+    double longest = 0, tick;
     d->panels = views * colors;
     d->columns = views > 1 && colors > 1 ? colors : d->panels == 4 ? 2 : d->panels < 3 ? d->panels : 3;
     d->rows = (d->panels + d->columns - 1) / d->columns;
@@ -187,10 +231,11 @@ static void place_panels(drawing *d, const picture *g)
     for (i = 0; i < d->panels; ++i) {
         panel *p = &d->panel[i];
         p->color = i % colors;
-        p->rank = map_color(o, p->color);
+        p->rank = map_rank(o, p->color);
         p->view = i / colors;
         p->camera = camera_of(g, o, i / colors);
-        p->bar_top = color_top(g, o, p->rank, &p->bar_tick);
+        p->range = color_range(g, o, p->color);
+        p->mu_top = p->rank > 0 ? color_top(g, o, p->rank, &tick) : 1;
         longest = fmax(longest, find_extent(p, g));
     }
     d->scale = d->size / longest;
@@ -234,7 +279,7 @@ static double bar_height(const drawing *d)
     return fmin(BAR_MOST, fmax(BAR_LEAST, panels_height(d) - BAR_ENDS));
 }
 
-/* Places what is shown in the foot. Parts of one thing stand close to each other, if they can. */
+/* Places what is shown in the foot. Each item stays in one piece: the page is made as wide as the widest. */
 static void lay_out_foot(drawing *d)
 {
     double x = MARGIN, gap;
@@ -243,7 +288,7 @@ static void lay_out_foot(drawing *d)
     d->foot_rows = 1;
     for (i = 0; i < FOOT_ITEMS; ++i) {
         if (d->foot[i].width <= 0) continue;
-        gap = x <= MARGIN ? 0 : i == FOOT_UNIT || i == FOOT_ACROSS ? 6 : 30;
+        gap = x <= MARGIN ? 0 : 30;
         if (x + gap + d->foot[i].width > d->page_width - MARGIN) {
             ++d->foot_rows;
             x = MARGIN;
@@ -258,15 +303,6 @@ static void lay_out_foot(drawing *d)
 static double foot_y(const drawing *d, enum foot i)
 {
     return d->page_height - MARGIN - 12 - FOOT_ROW * (d->foot_rows - 1 - d->foot[i].row);
-}
-
-/* The second part of a text of the foot goes on behind the first, or stands in the next row. */
-static void put_second_part(const drawing *d, enum foot i, const char *text)
-{
-    if (d->foot[i].width > 0 && d->foot[i].row == d->foot[i - 1].row) fprintf(d->file, " %s", text);
-    fputs("</text>\n", d->file);
-    if (d->foot[i].width > 0 && d->foot[i].row > d->foot[i - 1].row)
-        put_label(d->file, d->foot[i].x, foot_y(d, i) + 7, AT_START, text);
 }
 
 static void lay_out(drawing *d)
@@ -320,7 +356,7 @@ static void draw_sphere(const drawing *d)
 
 /* --- outlines ----------------------------------------------------------------------------------------------------- */
 
-/* The outline in view coordinates; of the sphere with points between the corners. */
+/* The outline in view coordinates, of the sphere with points between the corners, and what can be seen of it. */
 static void find_outline(drawing *d, const picture *g, const shape *s)
 {
     const double *corner = g->corner + 3 * s->first;
@@ -338,6 +374,9 @@ static void find_outline(drawing *d, const picture *g, const shape *s)
         find_pieces(&d->horizon);
     else
         d->horizon.pieces = 0;
+    d->seen.n = d->rings = 0;
+    if (d->horizon.pieces == 0) keep_ring(d, &d->horizon.outline);
+    while (d->horizon.pieces > 0 && next_ring(&d->horizon, &d->ring)) keep_ring(d, &d->ring);
 }
 
 /* Can anything of it be seen? */
@@ -352,13 +391,28 @@ static double mu_here(const drawing *d, const picture *g, const shape *s)
     return mu_of(g, d->options, (size_t)(s - g->shape), d->at->rank);
 }
 
+static double value_here(const drawing *d, const picture *g, const shape *s)
+{
+    return value_of(g, d->options, (size_t)(s - g->shape), d->at->color);
+}
+
 static void put_tooltip(const drawing *d, const picture *g, const shape *s)
 {
+    const quantity *q = &d->options->color_by.of[d->at->color];
+    double value = value_here(d, g, s);
+    char text[32];
     fputs("<title>", d->file);
     put_text(d->file, g->text + s->id, IN_XML);
     if (s->status == SURFMINK_OK) {
-        fprintf(d->file, ": mu_%d = ", d->at->rank);
-        put_decimals(d->file, mu_here(d, g, s), 4);
+        fputs(": ", d->file);
+        put_text(d->file, q->name, IN_XML);
+        fputs(" = ", d->file);
+        if (is_of(q, "mu"))
+            put_decimals(d->file, value, 4);
+        else if (isnan(value))
+            fputs("undefined", d->file);
+        else
+            fwrite(text, 1, (size_t)(write_number(NULL, text, 5, value) - text), d->file);
     } else
         fprintf(d->file, ": %s", status_name(s->status));
     fputs("</title>", d->file);
@@ -382,12 +436,13 @@ static void thin_line(const drawing *d, const picture *g, const shape *s)
 
 static void draw_outline(drawing *d, const picture *g, const shape *s)
 {
+    int color[3];
     fputs("<path d=\"", d->file);
-    if (d->horizon.pieces == 0) put_ring(d, &d->horizon.outline);
-    while (d->horizon.pieces > 0 && next_ring(&d->horizon, &d->ring)) put_ring(d, &d->ring);
+    put_rings(d);
     if (s->status == SURFMINK_OK) {
         fputs("\" fill=\"", d->file);
-        put_color(d->file, mu_here(d, g, s) / d->at->bar_top);
+        find_value_color(&d->at->range, value_here(d, g, s), color);
+        put_color(d->file, color);
         fputs("\"", d->file);
     } else
         fputs("\" fill=\"url(#refused)\" stroke=\"#8a8a8a\"", d->file);
@@ -402,49 +457,71 @@ static const double *director_here(const drawing *d, const picture *g, const sha
     return g->director + 3 * ((size_t)map_colors(d->options) * (size_t)(s - g->shape) + (size_t)d->at->color);
 }
 
-/* How long the strokes of an outline are: longer where mu_p is larger (its root: small mu_p are common). 0 where they
-   could not be seen. */
-static double stroke_reach(const drawing *d, const picture *g, const shape *s)
+/* Strokes are as long as this part of the radius of a disc as large as the outline, unless that has no room for them:
+   how large mu_p is the colour says. */
+static const double STROKE_REACH = 0.6;
+
+/* There are none where mu_p is below this part of the end of its bar: the directions of hardly anything. */
+static const double STROKE_LEAST = 0.05;
+
+/* The strokes of the outline that find_outline has found, and their length in pixels; 0 where they could not be seen. */
+static double find_strokes(const drawing *d, const picture *g, const shape *s, strokes *to)
 {
     const double *director = director_here(d, g, s);
-    double reach = 0.65 * sqrt(s->area / 3.141592653589793 * mu_here(d, g, s) / d->at->bar_top);
-    if (dot(director, director) < 0.5 || reach * d->scale < 1.5 || dot(s->normal, d->at->camera.eye) < 0.15) return 0;
-    return reach;
+    double reach = STROKE_REACH * sqrt(s->area / 3.141592653589793), side[3], view[3];
+    rings outline;
+    size_t k;
+    if (dot(director, director) < 0.5 || dot(s->normal, d->at->camera.eye) < 0.15) return 0;
+    if (mu_here(d, g, s) < STROKE_LEAST * d->at->mu_top) return 0;
+    cross(s->normal, director, side);
+    to->p = d->at->rank;
+    to->first = is_along(d->options) ? 3.141592653589793 / to->p : 0;
+    to_view(&d->at->camera, s->centre, view);
+    for (k = 0; k < 2; ++k) to->middle[k] = view[k];
+    to_view(&d->at->camera, director, view);
+    for (k = 0; k < 2; ++k) to->axis[0][k] = reach * view[k];
+    to_view(&d->at->camera, side, view);
+    for (k = 0; k < 2; ++k) to->axis[1][k] = reach * view[k];
+    outline.point = d->seen.x;
+    outline.stride = 3;
+    outline.end = d->ring_end;
+    outline.count = d->rings;
+    reach *= d->scale * keep_strokes_inside(to, &outline);
+    return reach < 1.5 ? 0 : reach;
 }
 
-static void find_strokes(drawing *d, const picture *g)
+static void look_for_strokes(drawing *d, const picture *g)
 {
+    strokes found;
     size_t i;
     int k;
     for (k = 0; k < d->panels; ++k) {
         d->at = &d->panel[k];
-        for (i = 0; i < g->shapes && !d->panel[k].strokes; ++i)
-            d->panel[k].strokes = stroke_reach(d, g, &g->shape[i]) > 0;
+        for (i = 0; i < g->shapes && !d->panel[k].strokes; ++i) {
+            find_outline(d, g, &g->shape[i]);
+            if (faces_eye(d, g, &g->shape[i])) d->panel[k].strokes = find_strokes(d, g, &g->shape[i], &found) > 0;
+        }
     }
 }
 
-/* p strokes from the centre along the eigenvectors. Dark ones on a light ground, and light ones on a dark one. */
+/* p strokes from the centre along the eigenvectors. */
 static void draw_glyph(const drawing *d, const picture *g, const shape *s)
 {
-    const double *director = director_here(d, g, s);
-    int k, p = d->at->rank;
-    double mu = mu_here(d, g, s), reach = stroke_reach(d, g, s);
-    double side[3], end[3], view[3], angle;
-    size_t j;
+    strokes found;
+    double reach = find_strokes(d, g, s, &found), step[2], end[2];
+    int k, color[3];
     if (reach <= 0) return;
-    cross(s->normal, director, side);
     fputs("<path fill=\"none\" stroke-linecap=\"round\" d=\"", d->file);
-    for (k = 0; k < p; ++k) {
-        angle = 6.283185307179586 * k / p;
-        for (j = 0; j < 3; ++j) end[j] = s->centre[j] + reach * (cos(angle) * director[j] + sin(angle) * side[j]);
-        to_view(&d->at->camera, s->centre, view);
-        put_point(d, 'M', view);
-        to_view(&d->at->camera, end, view);
-        put_point(d, 'L', view);
+    for (k = 0; k < found.p; ++k) {
+        stroke_step(&found, k, step);
+        end[0] = found.middle[0] + step[0];
+        end[1] = found.middle[1] + step[1];
+        put_point(d, 'M', found.middle);
+        put_point(d, 'L', end);
     }
-    fprintf(d->file, "\" stroke=\"%s\" stroke-width=\"", mu < 0.62 * d->at->bar_top ? "#fff" : "#2b2161");
-    put_pixels(d->file,
-               fmax(0.5, fmin(2.2, 0.13 * reach * d->scale) * fmin(1, 1.5 * dot(s->normal, d->at->camera.eye))));
+    find_value_color(&d->at->range, value_here(d, g, s), color);
+    fprintf(d->file, "\" stroke=\"%s\" stroke-width=\"", ink_on(color));
+    put_pixels(d->file, fmax(0.5, fmin(2.2, 0.13 * reach) * fmin(1, 1.5 * dot(s->normal, d->at->camera.eye))));
     fputs("\"/>\n", d->file);
 }
 
@@ -480,40 +557,49 @@ static void draw_shapes(drawing *d, const picture *g)
 {
     depth *order = sort_shapes(d, g);
     size_t i;
-    int glyphs_last = g->surface != EMBEDDED; /* over all outlines, unless a nearer one has to hide them */
     for (i = 0; i < g->shapes; ++i) {
         const shape *s = &g->shape[order[i].shape];
         find_outline(d, g, s);
         if (!faces_eye(d, g, s)) continue;
         draw_outline(d, g, s);
-        if (!glyphs_last) draw_glyph(d, g, s);
+        draw_glyph(d, g, s);
     }
-    for (i = 0; i < g->shapes && glyphs_last; ++i) draw_glyph(d, g, &g->shape[i]);
     free(order);
 }
 
 /* --- beside the panels -------------------------------------------------------------------------------------------- */
 
+static void set_ticks(axis *a, const range *r)
+{
+    a->ticks = range_ticks(r);
+    a->step = r->step;
+    a->from = r->low;
+    a->turn = r->turn;
+}
+
 static void draw_bar(const drawing *d)
 {
     const panel *p = &d->panel[0];
+    const quantity *q = &d->options->color_by.of[p->color];
     double x = MARGIN + panels_width(d) + BAR_GAP, height = bar_height(d);
     double y = MARGIN + title_space(d->options) + d->shift + (panels_height(d) + 36 - height) / 2;
-    axis a = {BAR_WIDTH, 0, 0, 'v', 6, {11, 7}, AT_START, 0, 1, 0};
+    axis a = {BAR_WIDTH, 0, 0, 'v', 6, {11, 7}, AT_START, 0, 1, 0, 0, 0};
     a.y = height;
     a.length = -height;
-    a.ticks = (int)(p->bar_top / p->bar_tick + 0.5);
-    a.step = p->bar_tick;
+    set_ticks(&a, &p->range);
     fputs("<g fill=\"#222\" transform=\"translate(", d->file);
     put_pixels(d->file, x);
     fputc(' ', d->file);
     put_pixels(d->file, y);
     fputs(")\">\n", d->file);
-    begin_text(d->file, 0, -18, AT_START, "font-size=\"26\"");
-    put_mu(d->file, p->rank);
-    fprintf(d->file, "</text>\n<rect width=\"%d\" height=\"", BAR_WIDTH);
+    fputs("<g font-size=\"", d->file);
+    put_pixels(d->file, quantity_size(q, 26, BAR_SPACE - BAR_GAP));
+    fputs("\">", d->file);
+    begin_text(d->file, 0, -18, AT_START, "");
+    put_quantity(d->file, q);
+    fprintf(d->file, "</text></g>\n<rect width=\"%d\" height=\"", BAR_WIDTH);
     put_pixels(d->file, height);
-    fputs("\" fill=\"url(#bar)\" stroke=\"#222\" stroke-width=\".7\"/>\n", d->file);
+    fprintf(d->file, "\" fill=\"url(#%s)\" stroke=\"#222\" stroke-width=\".7\"/>\n", p->range.turn ? "turn" : "bar");
     put_axis(d->file, &a, 0);
     fputs("</g>\n", d->file);
 }
@@ -524,11 +610,10 @@ static void draw_bar_below(const drawing *d)
     const panel *p = d->at;
     double width = 0.6 * d->width, x = p->left + p->width / 2 - width / 2;
     double y = p->top + p->height + (d->height - p->height) / 2 + 12;
-    axis a = {0, 14, 0, 'h', 5, {0, 24}, AT_MIDDLE, 0, 1, 0};
+    axis a = {0, 14, 0, 'h', 5, {0, 24}, AT_MIDDLE, 0, 1, 0, 0, 0};
     a.length = width;
-    a.ticks = (int)(p->bar_top / p->bar_tick + 0.5);
+    set_ticks(&a, &p->range);
     a.every = a.ticks > 6 || width < 200 ? 2 : 1;
-    a.step = p->bar_tick;
     if (a.ticks % a.every) a.every = a.ticks; /* only both ends */
     fputs("<g fill=\"#222\" transform=\"translate(", d->file);
     put_pixels(d->file, x);
@@ -536,15 +621,21 @@ static void draw_bar_below(const drawing *d)
     put_pixels(d->file, y);
     fputs(")\">\n<rect width=\"", d->file);
     put_pixels(d->file, width);
-    fputs("\" height=\"14\" fill=\"url(#bar_below)\" stroke=\"#222\" stroke-width=\".7\"/>\n", d->file);
+    fprintf(d->file, "\" height=\"14\" fill=\"url(#%s_below)\" stroke=\"#222\" stroke-width=\".7\"/>\n",
+            p->range.turn ? "turn" : "bar");
     put_axis(d->file, &a, 0);
     fputs("</g>\n", d->file);
 }
 
 /* --- below the panels --------------------------------------------------------------------------------------------- */
 
-static const char scale_unit[] = "(units of the corners)", scale_unit_of_sphere[] = "(units of the radius)";
-static const char across_the_sides[] = "across the long sides";
+/* What the scale bar is in where --unit does not say. */
+static const char *scale_unit(const drawing *d, const picture *g)
+{
+    return d->options->unit       ? d->options->unit
+           : g->surface == SPHERE ? "(units of the radius)"
+                                  : "(units of the corners)";
+}
 
 /* On a sphere without a radius what can be said is how far the lines of the grid are apart. */
 static int has_grid(const drawing *d, const picture *g)
@@ -556,8 +647,10 @@ static int has_grid(const drawing *d, const picture *g)
 static int has_strokes(const drawing *d, int color)
 {
     int i;
+    for (i = 0; i < color; ++i) /* one sample for a rank is enough */
+        if (map_rank(d->options, i) == map_rank(d->options, color)) return 0;
     for (i = 0; i < d->panels; ++i)
-        if (d->panel[i].color == color && d->panel[i].strokes) return 1;
+        if (d->panel[i].rank == map_rank(d->options, color) && d->panel[i].strokes) return 1;
     return 0;
 }
 
@@ -568,9 +661,34 @@ static int strokes_shown(const drawing *d)
     return shown;
 }
 
+/* Where they point. */
+static const char *stroke_words(const drawing *d)
+{
+    int i, elongation = 0, others = 0;
+    for (i = 0; i < map_colors(d->options); ++i) {
+        if (!has_strokes(d, i)) continue;
+        if (map_rank(d->options, i) == 2)
+            elongation = 1;
+        else
+            others = 1;
+    }
+    if (!is_along(d->options)) return others ? "across the sides" : "across the long axis";
+    return !others ? "along the long axis" : elongation ? "along the long axis, towards corners" : "towards corners";
+}
+
 static double pixels_of_unit(const drawing *d, const picture *g)
 {
     return d->scale / (g->surface == SPHERE ? d->options->radius : 1);
+}
+
+static int has_undefined(const drawing *d, const picture *g)
+{
+    size_t i;
+    int color;
+    for (i = 0; i < g->shapes; ++i)
+        for (color = 0; color < map_colors(d->options); ++color)
+            if (g->shape[i].status == SURFMINK_OK && isnan(value_of(g, d->options, i, color))) return 1;
+    return 0;
 }
 
 static void write_scale(const drawing *d, const picture *g, char text[32])
@@ -586,37 +704,36 @@ enum { SAMPLE_WIDTH = 36, BAR_TO_TEXT = 12, SQUARE_TO_TEXT = 9 };
 /* What there is to say, and how wide it is. The length of the scale is about a fifth of a panel. */
 static void find_foot(drawing *d, const picture *g)
 {
-    const char *unit = d->options->unit;
     char text[32];
     int shown = strokes_shown(d);
     if (g->corners > 0 && !has_grid(d, g)) {
         d->bar_length = round_step(0.25 * d->width / pixels_of_unit(d, g));
         write_scale(d, g, text);
-        d->foot[FOOT_SCALE].width = d->bar_length * pixels_of_unit(d, g) + BAR_TO_TEXT + text_width(text);
-        if (unit)
-            d->foot[FOOT_SCALE].width += text_width(" ") + text_width(unit);
-        else
-            d->foot[FOOT_UNIT].width = text_width(g->surface == SPHERE ? scale_unit_of_sphere : scale_unit);
+        d->foot[FOOT_SCALE].width = d->bar_length * pixels_of_unit(d, g) + BAR_TO_TEXT + text_width(text) +
+                                    text_width(" ") + text_width(scale_unit(d, g));
     } else if (g->corners > 0 && g->area <= 10) { /* above, almost 4 pi, nothing of the grid can be seen */
         write_scale(d, g, text);
         d->foot[FOOT_SCALE].width = text_width(text);
     }
     if (g->measured < g->shapes) d->foot[FOOT_REFUSED].width = BAR_WIDTH + SQUARE_TO_TEXT + text_width("refused");
+    if (has_undefined(d, g)) d->foot[FOOT_UNDEFINED].width = BAR_WIDTH + SQUARE_TO_TEXT + text_width("undefined");
     if (shown == 0) return;
-    d->foot[FOOT_STROKES].width = SAMPLE_WIDTH * shown + SQUARE_TO_TEXT + text_width("directions of mu:");
-    d->foot[FOOT_ACROSS].width = text_width(across_the_sides);
+    d->foot[FOOT_STROKES].width =
+        SAMPLE_WIDTH * shown + SQUARE_TO_TEXT + text_width("directions of mu: ") + text_width(stroke_words(d));
 }
 
-static void draw_refused(const drawing *d)
+/* A square with what it means beside it. */
+static void draw_square(const drawing *d, enum foot which, const char *paint, const char *text)
 {
-    double x = d->foot[FOOT_REFUSED].x, y = foot_y(d, FOOT_REFUSED);
+    double x = d->foot[which].x, y = foot_y(d, which);
+    if (d->foot[which].width <= 0) return;
     fputs("<rect x=\"", d->file);
     put_pixels(d->file, x);
     fputs("\" y=\"", d->file);
     put_pixels(d->file, y - 9);
-    fprintf(d->file, "\" width=\"%d\" height=\"%d\" fill=\"url(#refused)\" stroke=\"#8a8a8a\"/>\n<g fill=\"#222\">",
-            BAR_WIDTH, BAR_WIDTH);
-    put_label(d->file, x + BAR_WIDTH + SQUARE_TO_TEXT, y + 7, AT_START, "refused");
+    fprintf(d->file, "\" width=\"%d\" height=\"%d\" fill=\"%s\" stroke=\"#8a8a8a\"/>\n<g fill=\"#222\">", BAR_WIDTH,
+            BAR_WIDTH, paint);
+    put_label(d->file, x + BAR_WIDTH + SQUARE_TO_TEXT, y + 7, AT_START, text);
     fputs("</g>\n", d->file);
 }
 
@@ -636,19 +753,20 @@ static void draw_scale(const drawing *d, const picture *g)
     fputs("<g fill=\"#222\">", d->file);
     begin_text(d->file, x + length, y + 7, AT_START, "");
     fputs(text, d->file);
-    if (d->options->unit && !has_grid(d, g)) {
+    if (!has_grid(d, g)) {
         fputc(' ', d->file);
-        put_text(d->file, d->options->unit, IN_XML);
+        put_text(d->file, scale_unit(d, g), IN_XML);
     }
-    put_second_part(d, FOOT_UNIT, g->surface == SPHERE ? scale_unit_of_sphere : scale_unit);
-    fputs("</g>\n", d->file);
+    fputs("</text></g>\n", d->file);
 }
 
-/* An outline with its strokes about (x, y): a rectangle for p = 2, else a regular polygon. */
+/* An outline with its strokes about (x, y): a rectangle that lies for p = 2, else a regular polygon with a side at the
+   right. */
 static void draw_sample(const drawing *d, int p, double x, double y)
 {
-    double angle;
-    int k;
+    int is_way_to_corner = is_along(d->options) || p == 1, k;
+    double angle, first = p == 2 ? 1.5707963267948966 : 0, reach;
+    reach = 0.75 * (p == 2 ? (is_way_to_corner ? 14 : 6) : 13 * (is_way_to_corner ? 1 : cos(3.141592653589793 / p)));
     fputs("<path d=\"", d->file);
     for (k = 0; k < (p == 2 ? 4 : p) && p > 1; ++k) {
         angle = 3.141592653589793 * (2 * k + 1) / p; /* the middle of a side is at the right */
@@ -658,17 +776,18 @@ static void draw_sample(const drawing *d, int p, double x, double y)
         put_pixels(d->file, p == 2 ? y + (k < 2 ? 6 : -6) : y + 13 * sin(angle));
     }
     if (p > 1) fputc('Z', d->file);
+    if (is_along(d->options)) first += 3.141592653589793 / p;
     fputs("\"/><path stroke-width=\"2.2\" d=\"", d->file);
     for (k = 0; k < p; ++k) {
-        angle = 6.283185307179586 * k / p + (p == 2 ? 1.5707963267948966 : 0);
+        angle = first + 6.283185307179586 * k / p;
         fputc('M', d->file);
         put_pixels(d->file, x);
         fputc(' ', d->file);
         put_pixels(d->file, y);
         fputc('L', d->file);
-        put_pixels(d->file, x + 10 * cos(angle));
+        put_pixels(d->file, x + reach * cos(angle));
         fputc(' ', d->file);
-        put_pixels(d->file, y + 10 * sin(angle));
+        put_pixels(d->file, y + reach * sin(angle));
     }
     fputs("\"/>\n", d->file);
 }
@@ -681,7 +800,7 @@ static void draw_stroke_key(const drawing *d)
     fputs("<g id=\"strokes\" fill=\"none\" stroke=\"#222\">\n", d->file);
     for (i = 0; i < map_colors(d->options); ++i) {
         if (!has_strokes(d, i)) continue;
-        rank = map_color(d->options, i);
+        rank = map_rank(d->options, i);
         draw_sample(d, rank, x + 0.5 * SAMPLE_WIDTH, y);
         x += SAMPLE_WIDTH;
     }
@@ -689,23 +808,30 @@ static void draw_stroke_key(const drawing *d)
     begin_text(d->file, x + SQUARE_TO_TEXT, y + 7, AT_START, "");
     fputs(shown == 1 && rank < 3 ? "direction of " : "directions of ", d->file);
     put_mu(d->file, shown == 1 ? rank : 0);
-    fputs("<tspan dy=\"-5\">:</tspan>", d->file);
-    put_second_part(d, FOOT_ACROSS, across_the_sides);
-    fputs("</g>\n", d->file);
+    fprintf(d->file, "<tspan dy=\"-5\">: %s</tspan></text></g>\n", stroke_words(d));
+}
+
+static void define_bar(const drawing *d, const char *name, const int map[11][3])
+{
+    int i;
+    fprintf(d->file, "<linearGradient id=\"%s%s>\n", name,
+            bars_are_below(d) ? "_below\"" : "\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\"");
+    for (i = 0; i <= 10; ++i) {
+        fprintf(d->file, "<stop offset=\"%d.%d\" stop-color=\"", i / 10, i % 10);
+        put_color(d->file, map[i]);
+        fputs("\"/>\n", d->file);
+    }
+    fputs("</linearGradient>\n", d->file);
 }
 
 static void define_fills(const drawing *d)
 {
-    int i;
-    fprintf(d->file, "<defs>\n<linearGradient id=\"%s>\n",
-            bars_are_below(d) ? "bar_below\"" : "bar\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\"");
-    for (i = 0; i <= 10; ++i) {
-        fprintf(d->file, "<stop offset=\"%d.%d\" stop-color=\"", i / 10, i % 10);
-        put_color(d->file, 0.1 * i);
-        fputs("\"/>\n", d->file);
-    }
-    fputs("</linearGradient>\n"
-          "<pattern id=\"refused\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" "
+    int i, turns = 0;
+    for (i = 0; i < d->panels; ++i) turns += d->panel[i].range.turn > 0;
+    fputs("<defs>\n", d->file);
+    if (turns < d->panels) define_bar(d, "bar", color_map);
+    if (turns > 0) define_bar(d, "turn", turn_map);
+    fputs("<pattern id=\"refused\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" "
           "patternTransform=\"rotate(45)\">"
           "<rect width=\"5\" height=\"5\" fill=\"#ececec\"/><path d=\"M0 0v5\" stroke=\"#8a8a8a\" stroke-width=\"2\"/>"
           "</pattern>\n",
@@ -726,10 +852,18 @@ static void define_fills(const drawing *d)
 
 /* --- the file ----------------------------------------------------------------------------------------------------- */
 
-static void put_ranks(FILE *file, const options *o)
+/* What its colours mean. */
+static void describe_colors(FILE *file, const quantity *q, const range *r)
 {
-    int i;
-    for (i = 0; i < map_colors(o); ++i) fprintf(file, "%smu_%d", i > 0 ? ", " : "", map_color(o, i));
+    char low[32], high[32];
+    put_text(file, q->name, IN_XML);
+    if (r->turn) {
+        fprintf(file, ", pale for 0, blue below, red above, dark for -pi/%d and pi/%d alike", r->turn, r->turn);
+        return;
+    }
+    *write_number(NULL, low, 5, r->low) = '\0';
+    *write_number(NULL, high, 5, r->high) = '\0';
+    fprintf(file, ", dark for %s to light for %s", low, high);
 }
 
 static void begin_map(const drawing *d, const picture *g)
@@ -738,18 +872,19 @@ static void begin_map(const drawing *d, const picture *g)
     begin_page(d->file, d->page_width, d->page_height, d->options, "Outlines and their p-fold symmetry");
     fprintf(d->file, "%lu outlines (%lu of them refused) filled by ", (unsigned long)g->shapes,
             (unsigned long)(g->shapes - g->measured));
-    put_ranks(d->file, d->options);
-    fputs(", dark for 0 to light for ", d->file);
     for (i = 0; i < map_colors(d->options); ++i) {
-        if (i > 0) fputs(", ", d->file);
-        put_decimals(d->file, d->panel[i].bar_top, 2);
+        if (i > 0) fputs("; by ", d->file);
+        describe_colors(d->file, &d->options->color_by.of[i], &d->panel[i].range);
     }
     fputc('.', d->file);
     if (strokes_shown(d) > 0)
-        fputs(
-            " Strokes: eigenvectors of the positive eigenvalue at the middle of each outline, which cross its longest "
-            "sides, longer where mu_p is larger.",
-            d->file);
+        fprintf(
+            d->file,
+            " Strokes: eigenvectors of the %s eigenvalue at the middle of each outline, %s; as long as there is room, "
+            "none where mu_p is below %d %% of the end of its bar.",
+            is_along(d->options) ? "negative" : "positive",
+            is_along(d->options) ? "along its long axis and towards its corners" : "across its longest sides",
+            (int)(100 * STROKE_LEAST + 0.5));
     fputs(" Drawn by surfmink " SURFMINK_VERSION ".", d->file);
     end_description(d->file, d->page_width, d->options);
     define_fills(d);
@@ -803,21 +938,23 @@ static void draw_head(const drawing *d, int i)
 {
     double left = MARGIN + i % d->columns * (d->width + PANEL_GAP);
     double y = d->at->top - (d->height - d->at->height) / 2 - 12;
-    int several_ranks = map_colors(d->options) > 1, several_views = d->options->views > 1;
+    int several_columns = map_colors(d->options) > 1, several_views = d->options->views > 1;
+    const quantity *q = &d->options->color_by.of[d->at->color];
     char name[VIEW_NAME] = "";
     size_t length;
     if (d->panels == 1) return;
     if (several_views) name_view(d->options, d->at->view, name);
-    length = text_length(name) + (several_ranks ? 4 : 0);
+    length = text_length(name) + (several_columns ? quantity_letters(q) + 1 : 0);
     fputs("<g fill=\"#222\">", d->file);
     put_letter(d->file, left, y, i);
     fputs("<g font-size=\"", d->file);
     put_pixels(d->file, fmin(22, fmax(11, (d->width - 48) / (0.58 * (double)length))));
     fputs("\">", d->file);
     begin_text(d->file, left + d->width / 2, y, AT_MIDDLE, "");
-    if (several_ranks) put_mu(d->file, d->at->rank);
+    if (several_columns) put_quantity(d->file, q);
     if (several_views)
-        fprintf(d->file, "<tspan%s>%s%s</tspan>", several_ranks ? " dy=\"-5\"" : "", several_ranks ? ", " : "", name);
+        fprintf(d->file, "<tspan%s>%s%s</tspan>", several_columns ? " dy=\"-5\"" : "", several_columns ? ", " : "",
+                name);
     fputs("</text></g>\n</g>\n", d->file);
 }
 
@@ -845,7 +982,7 @@ static void write_map(const picture *g, const options *o)
     memset(&d, 0, sizeof d);
     d.options = o;
     place_panels(&d, g);
-    find_strokes(&d, g);
+    look_for_strokes(&d, g);
     find_foot(&d, g);
     lay_out(&d);
     d.file = open_page(o->svg);
@@ -853,12 +990,15 @@ static void write_map(const picture *g, const options *o)
     for (i = 0; i < d.panels; ++i) draw_panel(&d, g, i);
     if (!bars_are_below(&d)) draw_bar(&d);
     if (d.foot[FOOT_SCALE].width > 0) draw_scale(&d, g);
-    if (d.foot[FOOT_REFUSED].width > 0) draw_refused(&d);
+    draw_square(&d, FOOT_REFUSED, "url(#refused)", "refused");
+    draw_square(&d, FOOT_UNDEFINED, "#c8c8c8", "undefined");
     if (d.foot[FOOT_STROKES].width > 0) draw_stroke_key(&d);
     fputs("</svg>\n", d.file);
     close_page(d.file, o->svg);
     free_horizon(&d.horizon);
     free(d.ring.x);
+    free(d.seen.x);
+    free(d.ring_end);
 }
 
 #endif

@@ -15,6 +15,7 @@ enum surface { PLANE, SPHERE, EMBEDDED, AS_THE_COLUMNS_SAY };
 enum reverse { REVERSE_AUTO, REVERSE_ALWAYS, REVERSE_NEVER };
 enum crossings { CROSSINGS_AUTO, CROSSINGS_ALWAYS, CROSSINGS_NEVER };
 enum directions { NO_DIRECTIONS, AT_FIRST_EDGE, AT_CENTER };
+enum strokes_of { STROKES_ALONG, STROKES_ACROSS, STROKES_NOT_GIVEN };
 
 /* Panels of a picture. */
 enum { MOST_COLORS = 12, MOST_VIEWS = 6 };
@@ -26,6 +27,17 @@ typedef struct viewpoint {
     double from[3]; /* as the user wrote it */
     int numbers;    /* 2: longitude and latitude, 3: a direction */
 } viewpoint;
+
+/* A column of the results that a picture shows. */
+typedef struct quantity {
+    char name[24];
+    int rank; /* p of mu_p, theta_p, e_p_x and so on; 0: it has none */
+} quantity;
+
+typedef struct quantities {
+    quantity of[MOST_COLORS];
+    int count; /* 0: not given */
+} quantities;
 
 typedef struct options {
     int surface;         /* of enum surface */
@@ -55,8 +67,9 @@ typedef struct options {
     int directions; /* of enum directions */
     int json;
     const char *svg, *histogram, *scatter, *ply; /* NULL: none */
-    int color_by[MOST_COLORS];                   /* ranks that fill the picture */
-    int colors;                                  /* how many of them; 0: not given */
+    quantities color_by;                         /* what fills the picture */
+    quantities histogram_of, scatter_of;
+    int strokes; /* of enum strokes_of */
     viewpoint view[MOST_VIEWS];
     int views; /* 0: not given */
     const char *title, *unit;
@@ -65,6 +78,12 @@ typedef struct options {
     const char **file;
     size_t files;
 } options;
+
+/* The strokes of pictures: along the eigenvectors of -lambda_p, as the paper draws them, or across those. */
+static int is_along(const options *o)
+{
+    return o->strokes != STROKES_ACROSS;
+}
 
 static void usage_error(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
 static void usage_error(const char *format, ...)
@@ -95,116 +114,117 @@ static const char *const help_text[] = {
     "\n"
     "USAGE\n"
     "  surfmink [OPTION ...] [FILE ...]\n"
-    "  No FILE, or -, is standard input. Results go to standard output, all else to standard error.\n"
+    "  No FILE, or -, is standard input. Results go to standard output, everything else to standard error.\n"
     "\n"
     "INPUT\n"
-    "  A table, one corner a line; tabs, semicolons, commas or blanks between the fields, which may be quoted. Blank\n"
-    "  lines and lines that begin with # are skipped. The first other line names the columns, in any order, in\n"
-    "  capitals or not, with units in brackets or not:\n"
-    "    x y                a polygon of the plane (also: col, axis-1, position x)\n"
-    "    row col            the same, y is minus the row (also: axis-0)\n"
-    "    lon lat            degrees; great-circle arcs on a sphere (also: longitude, lng, long, ra; latitude, dec)\n"
-    "    x y z nx ny nz     corners and outer normals on any surface in space; straight chords\n"
+    "  A table has one corner a line. Tabs, semicolons, commas or blanks separate the fields, which may be quoted.\n"
+    "  Blank lines and lines that begin with # are skipped. The first other line names the columns, in any order;\n"
+    "  capitals and units in brackets do not matter:\n"
+    "    x y                the plane (also: col, axis-1, position x)\n"
+    "    row col            the plane, y is minus the row (also: axis-0)\n"
+    "    lon lat            a sphere, degrees; great-circle arcs (also: longitude, lng, long, ra; latitude, dec)\n"
+    "    x y z nx ny nz     any surface in space, with its outer normals; straight chords\n"
     "    x y z              needs --surface sphere (great-circle arcs; only the directions of the corners count)\n"
     "                       or --normals estimate\n"
     "    k                  order of the corners of an outline, whole numbers (also: vertex-index; K is an id)\n"
-    "  Columns whose names say so (cell, id, label, track, frame, name, ...) make the id, all of them; if there are\n"
-    "  none, the first that is not measured. Lines that follow each other with the same id are one polygon. Without "
-    "an\n"
-    "  id a blank line, a line that begins with > or a row of NaNs ends a polygon; ids then count from 0 in each "
-    "file.\n"
-    "  Corners run counter-clockwise, seen from outside; the first may be repeated at the end.\n"
-    "  Decimal commas are read between tabs and semicolons. Lines of x,y,x,y,... without names are an outline each.\n"
+    "  All columns with a name such as cell, id, label, track, frame or name make the id together; without any, the\n"
+    "  first column that is neither a coordinate nor a measured value. Successive lines with the same id are one\n"
+    "  outline. Without an id, outlines end at a blank line, a line that begins with > or a row of NaNs, and their\n"
+    "  ids count from 0 in each file. Corners run counter-clockwise, seen from outside; the first may be repeated at\n"
+    "  the end. Decimal commas are read between tabs or semicolons. In a file without names, each line x,y,x,y,...\n"
+    "  is an outline.\n"
     "\n"
-    "  A polygon mesh (OFF, OBJ, PLY, STL, legacy VTK): each face is an outline, its id the number of the face. "
-    "Normals\n"
-    "  are those of the file, or area-weighted means over the faces at each vertex. Copies of vertices are joined,\n"
-    "  faces that run against their neighbours turned round; standard error says so.\n"
-    "  GeoJSON: each ring is an outline, with the id of its feature; parts have /0, /1, ... behind it, holes /hole1.\n"
-    "  What a file is is told by what is in it, not by its name.\n"
+    "  A polygon mesh (OFF, OBJ, PLY, STL, legacy VTK): each face is an outline, its id the number of the face.\n"
+    "  Normals are those of the file, or area-weighted means over the faces at each vertex. Copies of vertices are\n"
+    "  joined, and faces that run against their neighbours are turned round; standard error says so.\n"
+    "  GeoJSON: each ring is an outline, with the id of its feature; parts get /0, /1, ..., holes /hole1.\n"
+    "  The content of a file decides what it is, not its name.\n"
     "\n",
     "OUTPUT\n"
-    "  One line a polygon, tab separated: id n status L S area mu_1 ... mu_P theta_1 ... theta_P; of several files\n"
-    "  a column file stands before them\n"
+    "  One line an outline, tab separated: id n status L S area mu_1 ... mu_P theta_1 ... theta_P. Several files get\n"
+    "  a column file in front.\n"
     "    n          number of corners, as measured\n"
-    "    status     ok, or what is wrong with the polygon; it then has no numbers\n"
+    "    status     ok, or the reason why the outline was not measured; its numbers are then empty\n"
     "    L, area    length of the outline; area on its left (embedded: an estimate from corners and normals)\n"
     "    S          sum of the turning angles = 2 pi - enclosed curvature\n"
     "    mu_p       p-fold symmetry, 0 to 1\n"
-    "    theta_p    direction of it: radians in (-pi/p, pi/p], at the middle of the first edge, from the outer\n"
-    "               co-normal towards the edge; empty where mu_p < 1e-12\n"
+    "    theta_p    its direction: an angle at the middle of edge 0, from the outward normal of the edge, turning\n"
+    "               towards the edge; radians in (-pi/p, pi/p], empty where mu_p < 1e-12\n"
     "\n",
     "OPTIONS (--option value or --option=value; -- ends them)\n"
     "  --id NAME[,NAME...]    columns that make the id, or the property of GeoJSON features that does\n"
     "  --columns NAME[,NAME...]          names of the columns of a file without a line of names\n"
-    "  --y-down               y points down, as in images: mirrors, so that directions are those of the picture\n"
-    "  --normals given|estimate          estimate: normals of cells in space, from the corners that cells share "
-    "(misses\n"
-    "                         mu_p by .0009 in the median, .065 at most) or else each cell's best plane (.0013, .113)\n"
-    "  --parts                a first corner that comes again inside ends a ring: each ring is an outline of its own,\n"
-    "                         id/0, id/1, ...; those that run the other way than the first are holes, id/1/hole\n"
-    "  --surface plane|sphere|embedded   instead of what the columns say; plane drops z\n"
-    "  --radius R             of the sphere, default 1\n"
+    "  --y-down               y points down, as in images: mirrors the outlines, so directions are those of the image\n"
+    "  --normals given|estimate          estimate: normals of cells in space, from the corners that cells share\n"
+    "                         (error of mu_p .0009 in the median, .065 at most), or of lone cells the best plane\n"
+    "                         (.0013, .113)\n"
+    "  --parts                each ring is an outline of its own, id/0, id/1, ...; a ring ends where its first corner\n"
+    "                         comes again. Rings that run the other way than the first are holes, id/1/hole\n"
+    "  --surface plane|sphere|embedded   instead of the surface that the columns say; plane drops z\n"
+    "  --radius R             radius of the sphere, default 1\n"
     "  --max-rank P           largest p, default 6\n"
-    "  --transport corrected|parallel    parallel: the classical one to the middle of the first edge, for comparison\n"
-    "  --order 2|4            4: measures the smooth curve on which the corners lie, at fourth order. Corners and\n"
-    "                         normals are to be exact, and 20 or so to each bend; shapes with corners want 2, the\n"
-    "                         default, or --sharp. Not for meshes, whose normals are means\n"
-    "  --error                adds columns error_L error_1 ... error_P after mu: estimates of how far L (relative) "
-    "and\n"
-    "                         mu_p are off the smooth curve, from every second corner; 1 if nothing can be said\n"
+    "  --transport corrected|parallel    parallel: classical transport to the middle of edge 0, for comparison\n"
+    "  --order 2|4            4: measures the smooth curve through the corners, at fourth order. It needs exact\n"
+    "                         corners and normals, about 20 to each bend. Shapes with corners need 2, the default,\n"
+    "                         or --sharp. Not for meshes, whose normals are means\n"
+    "  --error                adds columns error_L error_1 ... error_P after mu: estimated errors of L (relative) and\n"
+    "                         mu_p against the smooth curve, from every second corner; 1 where none can be given\n"
     "  --sharp DEGREES        corners that turn by more are corners of the curve: for --order 4 and --error\n"
-    "  --noise S              adds columns sigma_1 ... sigma_P after theta: the standard deviation of mu_p if every "
-    "corner\n"
-    "                         moves by chance, along the surface, by S in each direction. S is a length in the\n"
-    "                         unit of the corners or of --radius, or 2%: of the mean edge. Good to 15 % up to p S =\n"
-    "                         0.3 edges, empty above 0.6; where mu_p is near 1 up to 1.7 times too large\n"
-    "  --smooth K             first K passes of the 3-point mean, against the staircases of pixels\n"
-    "  --reverse auto|always|never       turn clockwise, all or (default) no outlines round. On the\n"
-    "                                    sphere auto so takes the smaller side, whichever was meant\n"
-    "  --merge                drop corners that coincide with the one before, instead of refusing the polygon\n"
-    "  --merge DIST           drop those within a distance, too; 1e-9L: a fraction of the perimeter\n"
-    "  --repair               takes exact spikes and seams out, where the outline comes back the way it went\n"
+    "  --noise S              adds columns sigma_1 ... sigma_P after theta: the standard deviation of mu_p if corners\n"
+    "                         move by chance, along the surface, by S in each direction. S is a length in the unit of\n"
+    "                         the corners or of --radius, or 2%: of the mean edge. Good to 15 % up to p S = 0.3 mean\n"
+    "                         edges, empty above 0.6; where mu_p is near 1 up to 1.7 times too large\n"
+    "  --smooth K             smooths first: K passes of the 3-point mean, against the staircases of pixels\n"
+    "  --reverse auto|always|never       auto turns clockwise outlines round, always all, never (default) none.\n"
+    "                         So on the sphere auto measures the smaller side, whichever was meant\n"
+    "  --merge                drops a corner that coincides with the one before, instead of refusing the outline\n"
+    "  --merge DIST           also drops a corner nearer than DIST to it; 1e-9L: a fraction of the perimeter\n"
+    "  --repair               removes exact spikes and seams, where the outline goes out and comes back the same way\n"
     "  --resample STEP        first puts corners at equal distances of about STEP along the outline\n"
-    "  --crossings auto|always|never     looks for edges that cross: of up to 2,000 corners (default), of all, of "
-    "none\n"
-    "  --digits N             significant digits, 1 to 17 (default, exact)\n"
+    "  --crossings auto|always|never     tests for edges that cross: outlines of up to 2,000 corners (default), all,\n"
+    "                         or none\n"
+    "  --digits N             significant digits, 1 to 17; default 17, which is exact\n"
     "  --directions           adds columns e_p_x e_p_y e_p_z: the direction theta_p as a vector\n"
-    "  --directions center    the same at the middle of the outline, with columns center_x center_y center_z, where\n"
-    "                         that is, and coherence_p, 0 to 1: how well the edges agree about it\n"
+    "  --directions center    the same at the centre of the outline; adds center_x center_y center_z, and\n"
+    "                         coherence_p, 0 to 1: how well the edges agree\n"
     "  --json                 one JSON object a line instead of the table; null for what is undefined\n"
     "  --summary              mean, standard deviation, quartiles of each mu_p and count of dominant ranks, on\n"
-    "                         standard error; keeps the mu of all polygons in memory\n"
-    "  --quiet                no word about refused polygons, no progress line\n"
+    "                         standard error; keeps the mu of all outlines in memory\n"
+    "  --quiet                no messages about refused outlines, no progress line\n"
     "  --help                 this page, as -h\n"
     "  --version\n"
     "\n",
     "PICTURES (options, too; all of them keep what they draw in memory)\n"
-    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p directions at the centre, which\n"
-    "                         cross the longest sides (so those of mu_2 lie across it), longer for larger mu_p\n"
-    "  --histogram FILE       draws how many outlines have which mu_1 ... mu_P, or those of --color-by; 12 at most\n"
-    "  --scatter FILE         draws mu_P over mu_2 of each outline, or the first two of --color-by\n"
-    "  --color-by mu_p,mu_q   which mu_p (or only p), default mu_2; several: a panel and a bar for each\n"
+    "  --svg FILE             draws the outlines, filled by mu_p; strokes show the p directions of each at its centre\n"
+    "  --strokes along|across            along (default): for mu_2 along the long axis, for mu_3, mu_4, ... towards\n"
+    "                         corners. across: across the sides, as theta_p and --directions. None where mu_p is\n"
+    "                         below 5 % of the end of its bar\n"
+    "  --color-by COLUMN,...  what fills the outlines, default mu_2: columns of the results, as mu_6 (or only 6), "
+    "area,\n"
+    "                         n; several: a panel and a bar for each. theta_p: blue below 0, red above, both ends "
+    "alike\n"
+    "  --histogram FILE       draws how many outlines have which mu_1 ... mu_P\n"
+    "  --histogram-of COLUMN,...         or which other columns; 12 at most\n"
+    "  --scatter FILE         draws a point for each outline: mu_2 to the right, mu_P upwards\n"
+    "  --scatter-of COLUMN,COLUMN        or two other columns\n"
     "  --view LON,LAT         from where to look: from above a point of the sphere,\n"
     "  --view X,Y,Z           from a direction,\n"
     "  --view front|back      from where most can be seen (default), or behind that, or behind the --view before.\n"
     "                         Several --view: a panel for each\n"
-    "  --title TEXT           above the pictures\n"
-    "  --unit TEXT            of the corners, at the scale bar: um, km\n"
+    "  --title TEXT           title of the pictures\n"
+    "  --unit TEXT            unit of the corners, at the scale bar: um, km\n"
     "  --ply FILE             the outlines as polygons with colours and mu_1 ... mu_P, for ParaView, MeshLab, Blender\n"
     "\n",
     "REFUSALS AND EXIT STATUS\n"
-    "  A polygon that cannot be measured is named on standard error as FILE:LINE: id: reason, and the run goes on.\n"
-    "  What may not be as it was meant is told there, too: of each kind the first, and at the end how many there were.\n"
-    "  0 all polygons were measured. 2 some were refused. 1 a wrong option; a file that cannot be read or written, is\n"
-    "  malformed, or does not even name its columns: the run stops there. A pipe whose reader has gone (surfmink ... "
-    "|\n"
-    "  head) ends the run without a word, by the signal SIGPIPE.\n"
+    "  An outline that cannot be measured is reported on standard error as FILE:LINE: id: reason; the others are\n"
+    "  still measured. Warnings tell the first of each kind; the last line counts them.\n"
+    "  Exit status 0: all outlines were measured. 2: some were refused. 1: a wrong option, or a file\n"
+    "  that cannot be read or written, is malformed, or does not name its columns; the run stops there. If the reader\n"
+    "  of a pipe has gone (surfmink ... | head), the signal SIGPIPE ends the run without a message.\n"
     "\n"
     "MEMORY\n"
-    "  grows with the largest polygon, not with the table. Meshes, GeoJSON, --normals estimate, --summary and "
-    "pictures\n"
-    "  keep more. A line may have 64 MiB.\n"};
+    "  grows with the largest outline, not with the table. Meshes, GeoJSON, --normals estimate, --summary and\n"
+    "  pictures keep more. A line may be 64 MiB long.\n"};
 
 /* To standard output, and gone: what was asked for must not get lost unnoticed in a full disk or a closed pipe. */
 static void answer(const char *const *text, size_t pieces) COMMAND_DIES;
@@ -284,21 +304,35 @@ static void parse_noise(options *o, const char *value)
     o->noise = 1;
 }
 
-/* mu_5, or just 5; or several of these with commas between them. */
-static void parse_color_by(options *o, const char *value)
+/* The digits behind the first _ of a name: p of mu_p. */
+static int rank_of(const char *name)
+{
+    const char *at = strchr(name, '_');
+    char digits[24];
+    size_t rank, length;
+    if (!at) return 0;
+    length = strspn(at + 1, "0123456789");
+    if (at[1 + length] != '\0' && at[1 + length] != '_') return 0;
+    digits[0] = '\0';
+    strncat(digits, at + 1, length < sizeof digits ? length : 0);
+    return parse_count(digits, &rank) && rank <= INT32_MAX ? (int)rank : 0;
+}
+
+/* Names of columns with commas between them; 5 is mu_5. */
+static void parse_quantities(const char *name, const char *value, quantities *list, int most)
 {
     const char *at = value;
-    char word[16];
-    size_t rank, length;
-    for (o->colors = 0;; at += length + 1) {
-        if (strncmp(at, "mu_", 3) == 0) at += 3;
+    size_t length;
+    for (list->count = 0;; at += length + 1) {
+        quantity *q = &list->of[list->count];
         length = strcspn(at, ",");
-        word[0] = '\0';
-        if (length < sizeof word) strncat(word, at, length);
-        if (!parse_count(word, &rank) || rank < 1 || rank > INT32_MAX)
-            usage_error("--color-by is one of mu_1, mu_2, ... or several, not '%s'", value);
-        if (o->colors == MOST_COLORS) usage_error("--color-by takes at most %d ranks", MOST_COLORS);
-        o->color_by[o->colors++] = (int)rank;
+        if (list->count == most) usage_error("--%s takes at most %d columns", name, most);
+        if (length == 0 || length + 3 >= sizeof q->name)
+            usage_error("--%s takes columns of the results, as mu_2 or mu_2,area, not '%s'", name, value);
+        strcpy(q->name, strspn(at, "0123456789") == length ? "mu_" : "");
+        strncat(q->name, at, length);
+        q->rank = rank_of(q->name);
+        ++list->count;
         if (at[length] == '\0') return;
     }
 }
@@ -356,9 +390,12 @@ enum option {
     OPTION_DIGITS,
     OPTION_SVG,
     OPTION_HISTOGRAM,
+    OPTION_HISTOGRAM_OF,
     OPTION_SCATTER,
+    OPTION_SCATTER_OF,
     OPTION_PLY,
     OPTION_COLOR_BY,
+    OPTION_STROKES,
     OPTION_VIEW,
     OPTION_TITLE,
     OPTION_UNIT,
@@ -383,10 +420,11 @@ enum option {
 
 /* In this order. */
 static const char *const option_name[OPTIONS] = {
-    "surface", "radius",  "max-rank",  "transport", "order",     "sharp",      "noise",  "smooth", "reverse",
-    "digits",  "svg",     "histogram", "scatter",   "ply",       "color-by",   "view",   "title",  "unit",
-    "id",      "columns", "normals",   "resample",  "crossings", "directions", "merge",  "parts",  "repair",
-    "y-down",  "error",   "json",      "summary",   "quiet",     "help",       "version"};
+    "surface",  "radius",    "max-rank",   "transport", "order",        "sharp",   "noise",      "smooth",
+    "reverse",  "digits",    "svg",        "histogram", "histogram-of", "scatter", "scatter-of", "ply",
+    "color-by", "strokes",   "view",       "title",     "unit",         "id",      "columns",    "normals",
+    "resample", "crossings", "directions", "merge",     "parts",        "repair",  "y-down",     "error",
+    "json",     "summary",   "quiet",      "help",      "version"};
 
 static void set_option(options *o, int option, const char *value)
 {
@@ -397,6 +435,7 @@ static void set_option(options *o, int option, const char *value)
     static const char *const places[] = {"edge", "center", "centre"};
     static const char *const estimates[] = {"estimate", "given"};
     static const char *const extents[] = {"auto", "always", "never"};
+    static const char *const ways[] = {"along", "across"};
     static const char *const version[] = {"surfmink " SURFMINK_VERSION "\n"};
     const char *name = option_name[option];
     switch (option) {
@@ -413,9 +452,12 @@ static void set_option(options *o, int option, const char *value)
     case OPTION_DIGITS: o->digits = parse_between(name, value, 1, 17); break;
     case OPTION_SVG: o->svg = value; break;
     case OPTION_HISTOGRAM: o->histogram = value; break;
+    case OPTION_HISTOGRAM_OF: parse_quantities(name, value, &o->histogram_of, MOST_COLORS); break;
     case OPTION_SCATTER: o->scatter = value; break;
+    case OPTION_SCATTER_OF: parse_quantities(name, value, &o->scatter_of, 2); break;
     case OPTION_PLY: o->ply = value; break;
-    case OPTION_COLOR_BY: parse_color_by(o, value); break;
+    case OPTION_COLOR_BY: parse_quantities(name, value, &o->color_by, MOST_COLORS); break;
+    case OPTION_STROKES: o->strokes = parse_choice(name, value, ways, 2); break;
     case OPTION_VIEW: parse_view(o, value); break;
     case OPTION_TITLE: o->title = value; break;
     case OPTION_UNIT: o->unit = value; break;
@@ -539,6 +581,33 @@ static int is_standard_output(const char *name)
 #endif
 }
 
+static void check_ranks(const char *name, const quantities *list, const options *o)
+{
+    int i;
+    for (i = 0; i < list->count; ++i)
+        if (list->of[i].rank > o->max_rank)
+            usage_error("--%s %s needs --max-rank %d", name, list->of[i].name, list->of[i].rank);
+}
+
+static void add_quantity(quantities *list, int rank)
+{
+    quantity *q = &list->of[list->count++];
+    snprintf(q->name, sizeof q->name, "mu_%d", rank);
+    q->rank = rank;
+}
+
+/* What is shown if nobody asks for other columns. */
+static void choose_quantities(options *o)
+{
+    int p;
+    if (o->color_by.count == 0) add_quantity(&o->color_by, o->max_rank < 2 ? 1 : 2);
+    for (p = 1; p <= o->max_rank && o->histogram_of.count == p - 1 && p <= MOST_COLORS; ++p)
+        add_quantity(&o->histogram_of, p);
+    if (o->scatter_of.count > 0) return;
+    add_quantity(&o->scatter_of, o->max_rank < 3 ? 1 : 2);
+    add_quantity(&o->scatter_of, o->max_rank);
+}
+
 /* What no single option can know to be wrong. An option without effect would be taken for one that has been obeyed. */
 static void check_options(options *o)
 {
@@ -553,18 +622,20 @@ static void check_options(options *o)
             if (picture_file(o, j) && is_same_output(name, picture_file(o, j)))
                 usage_error("--%s and --%s would write the same file", picture_option[j], picture_option[i]);
     }
-    if (!o->svg && !o->histogram && !o->scatter && !o->ply && o->colors > 0)
-        usage_error("--color-by is for pictures: add --svg FILE");
+    if (!o->svg && !o->ply && o->color_by.count > 0) usage_error("--color-by is for outlines: add --svg FILE");
+    if (!o->histogram && o->histogram_of.count > 0) usage_error("--histogram-of is for --histogram FILE");
+    if (!o->scatter && o->scatter_of.count > 0) usage_error("--scatter-of is for --scatter FILE");
+    if (!o->svg && o->strokes != STROKES_NOT_GIVEN) usage_error("--strokes is for pictures: add --svg FILE");
     if (!o->svg && o->views > 0) usage_error("--view is for pictures: add --svg FILE");
     if (!o->svg && !o->histogram && !o->scatter && o->title) usage_error("--title is for pictures: add --svg FILE");
     if (!o->svg && o->unit) usage_error("--unit is for pictures: add --svg FILE");
-    for (i = 0; i < o->colors; ++i)
-        if (o->color_by[i] > o->max_rank)
-            usage_error("--color-by mu_%d needs --max-rank %d", o->color_by[i], o->color_by[i]);
-    if (o->scatter && (o->colors == 1 || o->max_rank < 2))
-        usage_error("--scatter needs two ranks, as --color-by mu_2,mu_6");
-    if (o->svg && o->views * o->colors > MOST_COLORS)
-        usage_error("--svg draws %d panels at most: fewer --view, or fewer ranks", MOST_COLORS);
+    check_ranks("color-by", &o->color_by, o);
+    check_ranks("histogram-of", &o->histogram_of, o);
+    check_ranks("scatter-of", &o->scatter_of, o);
+    if (o->scatter && (o->scatter_of.count == 1 || (o->scatter_of.count == 0 && o->max_rank < 2)))
+        usage_error("--scatter needs two columns, as --scatter-of mu_2,area");
+    if (o->svg && o->views * o->color_by.count > MOST_COLORS)
+        usage_error("--svg draws %d panels at most: fewer --view, or fewer columns", MOST_COLORS);
     if (o->transport == SURFMINK_PARALLEL && (o->order == 4 || o->error))
         usage_error("--transport parallel has neither --order 4 nor --error");
     if (o->noise && (o->order == 4 || o->transport == SURFMINK_PARALLEL))
@@ -588,6 +659,7 @@ static void parse_options(options *o, int argc, char **argv)
     o->transport = SURFMINK_CORRECTED;
     o->order = 2;
     o->reverse = REVERSE_NEVER;
+    o->strokes = STROKES_NOT_GIVEN;
     o->digits = 17;
     o->file = (const char **)resize(NULL, (size_t)argc + 1, sizeof *o->file);
     while (i < argc) {
@@ -601,6 +673,7 @@ static void parse_options(options *o, int argc, char **argv)
     }
     if (o->files == 0) o->file[o->files++] = standard_input;
     check_options(o);
+    choose_quantities(o);
 }
 
 #endif

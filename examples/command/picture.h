@@ -4,7 +4,7 @@
 #ifndef SURFMINK_COMMAND_PICTURE_H
 #define SURFMINK_COMMAND_PICTURE_H
 
-#include "measure.h"
+#include "write.h"
 
 typedef struct shape {
     size_t first, n; /* corners */
@@ -15,15 +15,16 @@ typedef struct shape {
     double area;      /* about, for sizes and means */
 } shape;
 
-/* The ranks that fill the panels. */
+/* How many columns fill panels. */
 static int map_colors(const options *o)
 {
-    return o->colors > 0 ? o->colors : 1;
+    return o->color_by.count;
 }
 
-static int map_color(const options *o, int i)
+/* The rank of one of them; 0: it has none. */
+static int map_rank(const options *o, int i)
 {
-    return o->colors > 0 ? o->color_by[i] : o->max_rank < 2 ? 1 : 2;
+    return o->color_by.of[i].rank;
 }
 
 typedef struct picture {
@@ -35,8 +36,9 @@ typedef struct picture {
     size_t measured;
     double area;      /* of all shapes */
     double *mu;       /* P + 1 a shape; 0 where it was refused */
-    double *director; /* 3 for each rank that fills a panel, a shape: unit, n = 0 of +lambda; 0 where there is none */
-    size_t mu_room, director_room;
+    double *value;    /* of each column that fills a panel, a shape; NaN where it is undefined */
+    double *director; /* 3 for each of them, a shape: unit, n = 0 of +lambda of its rank; 0 where there is none */
+    size_t mu_room, value_room, director_room;
     char *text; /* ids, one after the other */
     size_t text_length, text_room;
     double *normal; /* 3 a corner, unit */
@@ -50,6 +52,7 @@ static void free_picture(picture *g)
     free(g->text);
     free(g->normal);
     free(g->mu);
+    free(g->value);
     free(g->director);
 }
 
@@ -135,8 +138,8 @@ static void keep_directors(picture *g, shape *s, const measure *m, const options
     for (k = 0; k < 3; ++k) s->normal[k] = m->normal[k];
     for (k = 0; k < 3; ++k) s->centre[k] = g->surface == SPHERE ? m->normal[k] : m->centre[k];
     for (i = 0; i < map_colors(o); ++i)
-        for (k = 0; k < dim && has_director(m, map_color(o, i)); ++k)
-            director[3 * i + (int)k] = m->direction[dim * (size_t)map_color(o, i) + k];
+        for (k = 0; k < dim && map_rank(o, i) > 0 && has_director(m, map_rank(o, i)); ++k)
+            director[3 * i + (int)k] = m->direction[dim * (size_t)map_rank(o, i) + k];
 }
 
 /* --- outlines ----------------------------------------------------------------------------------------------------- */
@@ -151,7 +154,7 @@ static size_t keep_text(picture *g, const char *text)
 }
 
 /* Outlines that were refused are drawn too, as far as they can be. */
-static void add_to_picture(picture *g, polygon *p, const measure *m, const options *o)
+static void add_to_picture(picture *g, polygon *p, const measure *m, const pick *picked, const options *o)
 {
     size_t ranks = (size_t)o->max_rank + 1, colors = (size_t)map_colors(o), k;
     double *corner;
@@ -163,7 +166,9 @@ static void add_to_picture(picture *g, polygon *p, const measure *m, const optio
     g->shape = (shape *)grow(g->shape, &g->shape_room, g->shapes + 1, sizeof *g->shape);
     g->mu = (double *)grow(g->mu, &g->mu_room, (g->shapes + 1) * ranks, sizeof *g->mu);
     g->director = (double *)grow(g->director, &g->director_room, (g->shapes + 1) * 3 * colors, sizeof *g->director);
+    g->value = (double *)grow(g->value, &g->value_room, (g->shapes + 1) * colors, sizeof *g->value);
     for (k = 0; k < 3 * colors; ++k) g->director[3 * colors * g->shapes + k] = 0;
+    for (k = 0; k < colors; ++k) g->value[colors * g->shapes + k] = picked[k].value;
     for (k = 0; k < ranks; ++k) g->mu[ranks * g->shapes + k] = m->status == SURFMINK_OK ? m->mu[k] : 0;
     s = &g->shape[g->shapes++];
     memset(s, 0, sizeof *s);
@@ -182,6 +187,11 @@ static void add_to_picture(picture *g, polygon *p, const measure *m, const optio
 static double mu_of(const picture *g, const options *o, size_t i, int p)
 {
     return g->mu[((size_t)o->max_rank + 1) * i + (size_t)p];
+}
+
+static double value_of(const picture *g, const options *o, size_t i, int color)
+{
+    return g->value[(size_t)map_colors(o) * i + (size_t)color];
 }
 
 /* --- where to look from ------------------------------------------------------------------------------------------- */

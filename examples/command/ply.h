@@ -20,7 +20,7 @@ static void declare_measures(FILE *file, const options *o)
     for (p = 1; p <= o->max_rank; ++p) fprintf(file, "property double mu_%d\n", p);
 }
 
-static void write_ply_header(FILE *file, const picture *g, const options *o, double top)
+static void write_ply_header(FILE *file, const picture *g, const options *o, const range *r)
 {
     size_t i, most = 0;
     for (i = 0; i < g->shapes; ++i)
@@ -29,9 +29,9 @@ static void write_ply_header(FILE *file, const picture *g, const options *o, dou
           "comment surfmink " SURFMINK_VERSION ": outlines with their p-fold symmetry mu_p, 0 to 1; -1: refused\n"
           "comment every outline has its own vertices; vertices and faces carry its colour and its mu_p\n",
           file);
-    fprintf(file, "comment colours: mu_%d, dark for 0 to light for ", map_color(o, 0));
-    put_decimals(file, top, 2);
-    fputs("; grey: refused\n", file);
+    fputs("comment colours: ", file);
+    describe_colors(file, &o->color_by.of[0], r);
+    fputs("; grey: refused or undefined\n", file);
     fprintf(file, "element vertex %lu\n", (unsigned long)g->corners);
     fputs("property double x\nproperty double y\nproperty double z\n"
           "property double nx\nproperty double ny\nproperty double nz\n",
@@ -45,10 +45,10 @@ static void write_ply_header(FILE *file, const picture *g, const options *o, dou
 
 /* What a vertex and a face have in common. */
 static void put_measures(FILE *file, const powers_of_ten *powers, const picture *g, const options *o, size_t i,
-                         double top)
+                         const range *r)
 {
     int color[3] = {150, 150, 150}, p;
-    if (g->shape[i].status == SURFMINK_OK) find_color(mu_of(g, o, i, map_color(o, 0)) / top, color);
+    if (g->shape[i].status == SURFMINK_OK) find_value_color(r, value_of(g, o, i, 0), color);
     fprintf(file, " %d %d %d", color[0], color[1], color[2]);
     for (p = 1; p <= o->max_rank; ++p) {
         fputc(' ', file);
@@ -57,7 +57,8 @@ static void put_measures(FILE *file, const powers_of_ten *powers, const picture 
     fputc('\n', file);
 }
 
-static void write_ply_vertices(FILE *file, const powers_of_ten *powers, const picture *g, const options *o, double top)
+static void write_ply_vertices(FILE *file, const powers_of_ten *powers, const picture *g, const options *o,
+                               const range *r)
 {
     double unit = g->surface == SPHERE ? radius_of(o) : 1;
     size_t i, j, k;
@@ -71,21 +72,21 @@ static void write_ply_vertices(FILE *file, const powers_of_ten *powers, const pi
                 fputc(' ', file);
                 put_ply_number(file, powers, g->normal[3 * j + k]);
             }
-            put_measures(file, powers, g, o, i, top);
+            put_measures(file, powers, g, o, i, r);
         }
 }
 
 static void write_ply(const picture *g, const options *o, const powers_of_ten *powers)
 {
     FILE *file = open_page(o->ply);
-    double tick, top = color_top(g, o, map_color(o, 0), &tick);
+    range r = color_range(g, o, 0);
     size_t i, j;
-    write_ply_header(file, g, o, top);
-    write_ply_vertices(file, powers, g, o, top);
+    write_ply_header(file, g, o, &r);
+    write_ply_vertices(file, powers, g, o, &r);
     for (i = 0; i < g->shapes; ++i) {
         fprintf(file, "%lu", (unsigned long)g->shape[i].n);
         for (j = 0; j < g->shape[i].n; ++j) fprintf(file, " %lu", (unsigned long)(g->shape[i].first + j));
-        put_measures(file, powers, g, o, i, top);
+        put_measures(file, powers, g, o, i, &r);
     }
     close_page(file, o->ply);
 }

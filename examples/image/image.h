@@ -79,7 +79,7 @@ image_fail(image_error *error, const char *name, const char *format, ...)
 
 static inline int image_no_memory(image_error *error)
 {
-    image_fail(error, NULL, "outlines: out of memory");
+    image_fail(error, NULL, "out of memory");
     return 0;
 }
 

@@ -23,8 +23,9 @@ field_plane, field_sphere and field_embedded the p-atic field of a tissue, with 
               None: the corners are one outline
     max_rank  P >= 0
 and return Results. A numpy array must be C-contiguous and float64 (offset: int64 or uint64), as it is handed to C as it
-is: what would have to be copied is refused with a TypeError or ValueError that says how. Lists and whole numbers are
-converted; masked arrays are refused. merge opens rings whose last corner is the first one again.
+is: what would have to be copied is refused with a TypeError or ValueError that says how. So are masked entries. Lists
+and whole numbers are converted; merge opens rings whose last corner is the first one again. A call costs tens of
+microseconds, most of them in Python: measure many outlines in one.
 Of one outline (offset=None) a refusal raises Refused; of many it is an entry in Results.status, and no other outline is
 disturbed. Calls let other threads of Python run.
 """
@@ -154,13 +155,22 @@ def _check(status, bad=None, n=None):
 
 # --- arguments --------------------------------------------------------------------------------------------------------
 
+def _not_masked(name, array):
+    """C would read the numbers under the mask as if they counted."""
+    if isinstance(array, np.ma.MaskedArray) and np.ma.is_masked(array):
+        raise ValueError("%s has masked entries: leave their outlines out, or take numpy.ma.getdata(%s) if the numbers "
+                         "count" % (name, name))
+
+
 def _numbers(name, array, kind):
     """The array with numbers of this kind, float or complex; never a copy of a numpy array."""
-    if isinstance(array, np.ma.MaskedArray):
-        raise TypeError("%s is a masked array, and what is masked would be measured: %s[~%s.mask.any(axis=1)].data is "
-                        "without those rows" % (name, name, name))
+    _not_masked(name, array)
     if not isinstance(array, np.ndarray):
-        array = np.array(array, dtype=kind)
+        try:
+            array = np.array(array, dtype=kind)
+        except ValueError as error:
+            raise ValueError("%s is not one array of numbers; surfmink.pack makes one of a list of outlines" % name) \
+                from error
     if array.dtype != kind:
         raise TypeError("%s has dtype %s, not %s: %s.astype(%s) makes a copy that has" % (
             name, array.dtype, np.dtype(kind), name, kind.__name__))
@@ -169,7 +179,7 @@ def _numbers(name, array, kind):
 
 def _whole(array):
     """Whole numbers as doubles: pixels, say."""
-    is_whole = isinstance(array, np.ndarray) and array.dtype.kind in "iu" and not isinstance(array, np.ma.MaskedArray)
+    is_whole = isinstance(array, np.ndarray) and array.dtype.kind in "iu" and np.ma.getmask(array) is np.ma.nomask
     return array.astype(float) if is_whole else array
 
 
@@ -185,7 +195,9 @@ def _doubles(name, array, columns):
     whole numbers."""
     array = _numbers(name, _whole(array), float)
     if array.ndim != 2 or (columns is not None and array.shape[1] != columns):
-        raise ValueError("%s has the shape %s, not (corners, %s)" % (name, array.shape, columns or "stride"))
+        raise ValueError("%s has the shape %s, not (corners, %s)%s" % (
+            name, array.shape, columns or "stride",
+            "; surfmink.pack makes corner and offset of a list of outlines" if array.ndim == 3 else ""))
     return _in_order(name, array)
 
 
@@ -720,7 +732,9 @@ def field_embedded(corner, normal, offset, rank=2, ball=0.0, cells=None, weld=No
 # --- helpers ----------------------------------------------------------------------------------------------------------
 
 def pack(outlines):
-    """A list of (n, columns) arrays as (corner, offset) for one call. This copies."""
+    """A list of (n, columns) arrays as (corner, offset) for one call. This copies, and takes numbers of any kind."""
+    for i, outline in enumerate(outlines):
+        _not_masked("outlines[%d]" % i, outline)
     offset = np.zeros(len(outlines) + 1, dtype=np.int64)
     np.cumsum([len(outline) for outline in outlines], out=offset[1:])
     return np.concatenate([np.asarray(outline, dtype=np.float64) for outline in outlines]), offset

@@ -178,7 +178,7 @@ static void draw_errors(plot *p, double left, const result *r, int first, int la
     guide[0] = 0.028;
     guide[1] = guide[0] * pow(at[1] / at[0], 2);
     plot_curve(p, &axes, at, guide, 2, slope, PLOT_NONE);
-    plot_text_as(p, plot_x(&axes, 0.1), plot_y(&axes, 0.0008), 9, AT_MIDDLE, "#555555", 0, 0, "order 2");
+    plot_text_as(p, plot_x(&axes, 0.084), plot_y(&axes, 0.00032), 9, AT_MIDDLE, "#555555", 0, 0, "order 2");
     for (p_ = 2; p_ <= 6; p_ += 2) {
         for (n = 0, level = first; level <= last; ++level, ++n) {
             h[n] = r[level].h;

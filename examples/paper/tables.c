@@ -208,12 +208,13 @@ static void draw_slope(plot *p, const plot_axes *axes, double start, int slope)
     double q[2] = {192, 1024}, error[2];
     plot_pen pen = {"#888888", 0.9, "3 3"};
     char label[16];
+    double at = slope == 1 ? 420 : 330; /* above the line, or below the one that has errors above it */
     error[0] = start;
     error[1] = start * pow(q[0] / q[1], slope);
     plot_curve(p, axes, q, error, 2, pen, PLOT_NONE);
     snprintf(label, sizeof label, "order %d", slope);
-    plot_text_as(p, plot_x(axes, 420), plot_y(axes, start * pow(q[0] / 420, slope)) - 5, 9, AT_START, "#555555", 0, 0,
-                 label);
+    plot_text_as(p, plot_x(axes, at), plot_y(axes, start * pow(q[0] / at, slope)) + (slope == 1 ? -5 : 11), 9,
+                 slope == 1 ? AT_START : AT_END, "#555555", 0, 0, label);
 }
 
 static void draw(const experiment *e, errors great_circles, errors chords)
@@ -227,9 +228,16 @@ static void draw(const experiment *e, errors great_circles, errors chords)
                                            "$\\kappa$"};
     static const char *const title[2] = {"(a)  great circles on the unit sphere", "(b)  chords on the ellipsoid"};
     static const double key[3] = {60, 365, 620};
+    /* mu_3 lies on g_3 read at the middle, so that has a broad pale line to lie on. */
+    plot_pen pen[6], broad = {"#9bd5c4", 5, ""};
+    enum plot_marker marker[6];
     double q[LEVELS], error[LEVELS];
     plot p;
     int panel, k, level;
+    for (k = 0; k < 6; ++k) {
+        pen[k] = k == 3 ? broad : plot_pens[k];
+        marker[k] = k == 3 ? PLOT_NONE : plot_markers[k];
+    }
     if (plot_begin(&p, e->figure, 760, 370)) exit(1);
     for (panel = 0; panel < 2; ++panel) {
         plot_axes axes = {60, 30, 290, 235, {3, 1400}, {1e-6, 4}, {1, 1}};
@@ -241,12 +249,12 @@ static void draw(const experiment *e, errors great_circles, errors chords)
                 q[level] = 4 << level;
                 error[level] = panel ? chords[level][shown[k]] : great_circles[level][shown[k]];
             }
-            plot_curve(&p, &axes, q, error, LEVELS, plot_pens[k], plot_markers[k]);
+            plot_curve(&p, &axes, q, error, LEVELS, pen[k], marker[k]);
         }
         draw_slope(&p, &axes, 0.9, 1);
         draw_slope(&p, &axes, 4e-5, 2);
     }
-    for (k = 0; k < 6; ++k) plot_key(&p, key[k / 2], 325 + 20 * (k % 2), plot_pens[k], plot_markers[k], meaning[k]);
+    for (k = 0; k < 6; ++k) plot_key(&p, key[k / 2], 325 + 20 * (k % 2), pen[k], marker[k], meaning[k]);
     if (plot_end(&p)) exit(1);
 }
 

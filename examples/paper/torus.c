@@ -188,6 +188,7 @@ static void draw(const experiment *e, const triangle *t, const double *theta)
     plot_curve(&p, &lengths, theta, y, STEPS + 1, length_pen, PLOT_NONE);
     for (i = 5; i <= STEPS; i += 10)
         plot_mark(&p, PLOT_DISC, plot_x(&lengths, theta[i]), plot_y(&lengths, y[i]), 3, length_pen.colour);
+    plot_box(&p, 297, 420, 210, 29, plot_no_line, "#ffffff"); /* the legend stands clear of the lines behind it */
     plot_key(&p, 300, 427, angle_pen, PLOT_RING, "angles (left axis, divided by their sum)");
     plot_key(&p, 300, 442, length_pen, PLOT_DISC, "lengths (right axis)");
     if (plot_end(&p)) exit(1);

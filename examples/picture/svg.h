@@ -18,19 +18,49 @@ static const int color_map[11][3] = {{43, 33, 97},    {23, 58, 123},   {0, 80, 1
                                      {2, 126, 138},   {1, 150, 142},   {0, 171, 138},  {77, 189, 129},
                                      {142, 204, 122}, {196, 218, 126}, {243, 232, 144}};
 
-static inline void find_color(double fraction, int part[3])
+/* For angles, whose ends are the same: from dark over blue to pale in the middle, over red to the same dark. Straight in
+   OKLab between lightness 0.27, 0.58 and 0.95; lightness alone tells how far an angle is from 0. */
+static const int turn_map[11][3] = {{51, 29, 52},    {63, 66, 106},   {66, 104, 166},  {100, 147, 207},
+                                    {168, 193, 224}, {238, 238, 238}, {227, 176, 170}, {207, 113, 104},
+                                    {164, 70, 69},   {105, 50, 62},   {51, 29, 52}};
+
+static inline void find_color_in(const int map[11][3], double fraction, int part[3])
 {
     double place = 10 * fmin(1, fmax(0, fraction)), rest;
     int i = place < 10 ? (int)place : 9, k;
     rest = place - i;
-    for (k = 0; k < 3; ++k) part[k] = (int)(color_map[i][k] + rest * (color_map[i + 1][k] - color_map[i][k]) + 0.5);
+    for (k = 0; k < 3; ++k) part[k] = (int)(map[i][k] + rest * (map[i + 1][k] - map[i][k]) + 0.5);
 }
 
-static inline void put_color(FILE *file, double fraction)
+static inline void find_color(double fraction, int part[3])
 {
-    int part[3];
-    find_color(fraction, part);
+    find_color_in(color_map, fraction, part);
+}
+
+static inline void put_color(FILE *file, const int part[3])
+{
     fprintf(file, "#%02x%02x%02x", (unsigned)part[0], (unsigned)part[1], (unsigned)part[2]);
+}
+
+/* The share of the light that a part of a colour sends, as the Web Content Accessibility Guidelines define it. */
+static inline double luminance(const int part[3])
+{
+    static const double weight[3] = {0.2126, 0.7152, 0.0722};
+    double sum = 0, share;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        share = part[k] / 255.0;
+        sum += weight[k] * (share <= 0.04045 ? share / 12.92 : pow((share + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+/* What shows best on a colour: white, or the darkest colour of the map. Their contrast, (lighter + 0.05) / (darker +
+   0.05), is at least 3.75 on any colour; the guidelines ask for 3. */
+static inline const char *ink_on(const int part[3])
+{
+    double light = luminance(part) + 0.05, dark = luminance(color_map[0]) + 0.05;
+    return light * light > 1.05 * dark ? "#2b2161" : "#fff";
 }
 
 /* --- numbers ------------------------------------------------------------------------------------------------------ */

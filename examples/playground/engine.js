@@ -2,7 +2,7 @@
 // checks run this file in node, too. The numbers and their order are those of `results` in playground.c.
 "use strict";
 
-const KINDS = ["plane", "sphere", "ellipsoid", "torus"];
+const KINDS = ["plane", "sphere", "ellipsoid", "torus", "embedded"];
 const RANK = 12;
 
 async function startEngine(bytes) {
@@ -11,6 +11,7 @@ async function startEngine(bytes) {
   const memory = wasm.memory.buffer; // never grows
   const room = wasm.playground_corners();
   const corner = new Float64Array(memory, wasm.playground_corner(), 3 * room);
+  const given = new Float64Array(memory, wasm.playground_given(), 3 * room);
   const shape = new Float64Array(memory, wasm.playground_shape(), 3);
 
   const layout = {};
@@ -45,6 +46,7 @@ async function startEngine(bytes) {
 
   const put = (outline) => {
     corner.set(outline.corners);
+    if (outline.normals) given.set(outline.normals);
     shape.set(outline.shape);
     return [KINDS.indexOf(outline.kind), outline.corners.length / 3];
   };
@@ -52,7 +54,8 @@ async function startEngine(bytes) {
   return {
     most: room,
 
-    // outline: { kind, shape: [3 numbers], base, corners: [x, y, z, x, y, z, ...] }; z is 0 in the plane.
+    // outline: { kind, shape: [3 numbers], base, corners: [x, y, z, x, y, z, ...] }; z is 0 in the plane. Kind embedded
+    // has normals: [x, y, z, ...], too, and no shape.
     measure(outline) {
       const [kind, n] = put(outline);
       const status = wasm.playground_measure(kind, n, outline.base);
@@ -91,7 +94,7 @@ async function startEngine(bytes) {
 // digits as it takes to read the same double again.
 function tableOf(outline, found) {
   const lines = [],
-    chords = outline.kind === "ellipsoid" || outline.kind === "torus";
+    chords = outline.kind !== "plane" && outline.kind !== "sphere";
   const stride = outline.kind === "plane" ? 2 : 3,
     n = found.measured.length / stride;
   lines.push("# " + commandOf(outline) + " outline.tsv");

@@ -1,4 +1,4 @@
-// page.js - the page around engine.js: an outline that is dragged, and what is measured of it.
+// page.js - the page around engine.js and table.js: an outline that is dragged, and what is measured of it.
 //
 // One outline is shown at a time (`outline`), as engine.js takes it; every surface keeps its own. Every change goes
 // through `change`, which remembers the one before for undo, then `refresh`: measure, draw, write. The eye is
@@ -8,21 +8,9 @@
 const $ = (id) => document.getElementById(id);
 const presets = JSON.parse($("presets").textContent);
 const DEFAULT_SHAPE = { plane: [1, 1, 1], sphere: [1, 1, 1], ellipsoid: [1.5, 1.2, 0.9], torus: [1, 0.45, 0] };
-const FOLD = [
-  "",
-  "1-fold",
-  "2-fold: elongated",
-  "3-fold: a triangle",
-  "4-fold: a square",
-  "5-fold: a pentagon",
-  "6-fold: a hexagon",
-  "7-fold",
-  "8-fold",
-  "9-fold",
-  "10-fold",
-  "11-fold",
-  "12-fold",
-];
+const MOST_ON_BODY = 128; // corners on ellipsoid and torus, where each edge is a geodesic to be found
+const FOLD = ["", "", "elongated", "triangular", "square", "pentagonal", "hexagonal"];
+const NOUN = ["", "", "", "a triangle", "a square", "a pentagon", "a hexagon"];
 
 let engine;
 let outline = { kind: "sphere", shape: [1, 1, 1], base: 0, corners: [] };
@@ -53,13 +41,25 @@ const at = (array, i) => [array[3 * i], array[3 * i + 1], array[3 * i + 2]];
 const count = () => outline.corners.length / 3;
 const cornerAt = (i) => at(outline.corners, (i + count()) % count());
 
-function fromLonLat(lon, lat) {
-  const a = (lon * Math.PI) / 180,
-    b = (lat * Math.PI) / 180;
-  return [Math.cos(b) * Math.cos(a), Math.cos(b) * Math.sin(a), Math.sin(b)];
+const hasNormals = () => outline.kind === "embedded";
+const cornerNormal = (i) => (hasNormals() ? at(outline.normals, (i + count()) % count()) : normalAt(cornerAt(i)));
+
+function meanNormal() {
+  let sum = [0, 0, 0];
+  for (let i = 0; i < count(); i++) sum = plus(sum, times(cornerNormal(i), 1 / (norm(cornerNormal(i)) || 1)));
+  return norm(sum) > 1e-6 * count() ? unit(sum) : [0, 0, 1];
 }
 
-// Outer normal (not unit) of the surface.
+// Mean of the corners, and the distance of the farthest from it.
+function extentOf() {
+  let middle = [0, 0, 0],
+    reach = 0;
+  for (let i = 0; i < count(); i++) middle = plus(middle, cornerAt(i), 1 / count());
+  for (let i = 0; i < count(); i++) reach = Math.max(reach, norm(plus(cornerAt(i), middle, -1)));
+  return { middle, reach: reach || 1 };
+}
+
+// Outer normal (not unit) of the surface, where that is known.
 function normalAt(x) {
   if (outline.kind === "plane") return [0, 0, 1];
   if (outline.kind === "sphere") return x;
@@ -84,10 +84,14 @@ const bodySize = () =>
     ? outline.shape[0] + outline.shape[1]
     : outline.kind === "ellipsoid"
       ? Math.max(...outline.shape)
-      : 1;
+      : outline.kind === "sphere"
+        ? 1
+        : extentOf().reach;
 
 // --- the eye ---------------------------------------------------------------------------------------------------------
 
+const coarse = matchMedia("(pointer: coarse)"),
+  phone = matchMedia("(max-width: 700px)"); // as in page.css
 const stage = $("stage"),
   canvas = $("canvas"),
   front = canvas.getContext("2d");
@@ -132,9 +136,9 @@ function rotate(across, down) {
 }
 
 function zoom(factor, x = width / 2, y = height / 2) {
-  const least = (0.3 * Math.min(width, height)) / bodySize(),
-    most = 200 * least;
-  const scale = Math.min(most, Math.max(least, view.scale * factor));
+  const fit = viewOfAll().scale,
+    body = (0.3 * Math.min(width, height)) / bodySize();
+  const scale = Math.min(Math.max(200 * body, 20 * fit), Math.max(Math.min(body, fit / 4), view.scale * factor));
   if (outline.kind === "plane") {
     // what is under the pointer stays there
     const share = 1 / view.scale - 1 / scale;
@@ -147,11 +151,8 @@ function zoom(factor, x = width / 2, y = height / 2) {
 
 // A view that shows the whole outline: with the whole body, unless it is small on it.
 function viewOfAll() {
-  const room = Math.min(width, height - 40);
-  let middle = [0, 0, 0];
-  for (let i = 0; i < count(); i++) middle = plus(middle, cornerAt(i), 1 / count());
-  let reach = 0;
-  for (let i = 0; i < count(); i++) reach = Math.max(reach, norm(plus(cornerAt(i), middle, -1)));
+  const room = Math.min(width, height - 40),
+    { middle, reach } = extentOf();
   if (outline.kind === "plane")
     return {
       rows: [
@@ -160,12 +161,13 @@ function viewOfAll() {
         [0, 0, 1],
       ],
       focus: middle,
-      scale: (0.36 * room) / (reach || 1),
+      scale: (0.36 * room) / reach,
     };
+  if (hasNormals()) return { rows: lookFrom(meanNormal()), focus: middle, scale: (0.4 * room) / reach };
   const size = bodySize(),
     on = engine.project(outline, middle) || cornerAt(0);
   const normal = unit(normalAt(on));
-  const small = reach < 0.22 * size;
+  const small = reach < (outline.kind === "sphere" ? 0.45 : 0.22) * size;
   const eye =
     outline.kind === "torus" && !small ? plus(times(normal, 0.8), [0, 0, 1], 0.7) : plus(normal, [0.16, -0.1, 0.16]);
   const rows = lookFrom(eye);
@@ -214,13 +216,22 @@ function goTo(next) {
 
 const torusValue = (x) => (Math.hypot(x[0], x[1]) - outline.shape[0]) ** 2 + x[2] ** 2 - outline.shape[1] ** 2;
 
-// The point of the surface that is seen at a place of the screen; beside the body, the nearest on its rim.
-function under(px, py) {
+// The point of the surface that is seen at a place of the screen; beside the body, the nearest on its rim. Where only
+// corners and normals are known, the point of the tangent plane at the corner i.
+function under(px, py, i = 0) {
   const right = (px - width / 2) / view.scale + dot(view.focus, view.rows[0]);
   const up = (height / 2 - py) / view.scale + dot(view.focus, view.rows[1]);
   const eye = view.rows[2],
     start = plus(times(view.rows[0], right), view.rows[1], up);
   if (outline.kind === "plane") return [start[0], start[1], 0];
+  if (hasNormals()) {
+    const n = unit(cornerNormal(i)),
+      off = plus(start, cornerAt(i), -1),
+      slope = dot(n, eye);
+    if (Math.abs(slope) > 0.2) return plus(start, eye, -dot(off, n) / slope);
+    const aside = plus(off, eye, -dot(off, eye)); // seen from the side: as far as the pointer goes
+    return plus(cornerAt(i), plus(aside, n, -dot(aside, n)));
+  }
   if (outline.kind === "torus") {
     const size = bodySize(),
       steps = 240;
@@ -255,6 +266,8 @@ function under(px, py) {
     unit(hit).map((x, k) => x * axis[k]),
   );
 }
+
+const isCornerSeen = (i) => isSeen(cornerAt(i), cornerNormal(i));
 
 // Is a point of the surface seen, or is the body before it?
 function isSeen(x, normal = normalAt(x)) {
@@ -380,13 +393,14 @@ function drawPlane() {
     w = width / 2 / view.scale,
     h = height / 2 / view.scale;
   pen.beginPath();
-  for (let a = Math.ceil((x - w) / spacing) * spacing; a < x + w; a += spacing) {
-    const [px] = toScreen([a, 0, 0]);
+  const from = [Math.ceil((x - w) / spacing), Math.ceil((y - h) / spacing)];
+  for (let i = 0; i * spacing <= 2 * w; i++) {
+    const [px] = toScreen([(from[0] + i) * spacing, 0, 0]);
     pen.moveTo(px, 0);
     pen.lineTo(px, height);
   }
-  for (let b = Math.ceil((y - h) / spacing) * spacing; b < y + h; b += spacing) {
-    const [, py] = toScreen([0, b, 0]);
+  for (let i = 0; i * spacing <= 2 * h; i++) {
+    const [, py] = toScreen([0, (from[1] + i) * spacing, 0]);
     pen.moveTo(0, py);
     pen.lineTo(width, py);
   }
@@ -491,7 +505,7 @@ function drawBody() {
     body.height = canvas.height;
     penTo(body.getContext("2d"));
     if (outline.kind === "plane") drawPlane();
-    else {
+    else if (!hasNormals()) {
       if (outline.kind === "torus") drawTorus();
       else drawBall();
       drawGrid();
@@ -564,11 +578,13 @@ function drawOutline() {
 function drawArrows() {
   const n = count(),
     many = n > 24,
+    every = Math.ceil(n / 64), // co-normals that can be told apart
     size = Math.min(width, height);
   const place = toScreen(at(found.base, 0));
   for (let e = 0; e < n; e++) {
     const foot = [0, 3, 6].map((k) => Array.from(found.foot.subarray(9 * e + k, 9 * e + k + 3)));
-    if (!isSeen(engine.project(outline, foot[0]) || foot[0], foot[2])) continue;
+    if (e % every) continue;
+    if (!isSeen((!hasNormals() && engine.project(outline, foot[0])) || foot[0], foot[2])) continue;
     const way = toScreenWay(times(foot[1], ((many ? 0.03 : 0.07) * size) / view.scale));
     arrow(toScreen(foot[0]), way, edgeColor(e), many ? 1.5 : 2.5);
   }
@@ -580,7 +596,7 @@ function drawArrows() {
     pen.fillStyle = color.card;
     pen.strokeStyle = transport === "corrected" ? color.corrected : color.classical;
     for (let e = 0; e < m; e++) {
-      const t = (0.15 * size) / view.scale / longest;
+      const t = ((many ? 0.1 : 0.15) * size) / view.scale / longest;
       const way = toScreenWay(
         plus(times(at(found.base, 1), t * arrows[2 * e]), at(found.base, 2), t * arrows[2 * e + 1]),
       );
@@ -619,9 +635,29 @@ function drawArrows() {
   }
 }
 
+// Which corners have handles: all of a few; of many only those that stand apart on the screen, the selected one and the
+// one to blame.
+const MANY = 12;
+let handled = [];
+function chooseHandles() {
+  const n = count(),
+    apart = coarse.matches ? 30 : 22,
+    kept = [];
+  handled = Array.from({ length: n }, (_, i) => {
+    if (n <= MANY || i === selected) return true;
+    if (!found.ok && found.other < 0 && found.bad === i) return true;
+    const [x, y] = toScreen(cornerAt(i)),
+      seen = isCornerSeen(i);
+    if (kept.some((k) => k.seen === seen && Math.hypot(k.x - x, k.y - y) < apart)) return false;
+    kept.push({ x, y, seen });
+    return true;
+  });
+}
+
 function drawHandles() {
   const box = $("corners"),
     n = count();
+  chooseHandles();
   while (box.children.length > n) box.lastChild.remove();
   while (box.children.length < n) {
     const button = document.createElement("button");
@@ -632,16 +668,18 @@ function drawHandles() {
     box.append(button);
   }
   for (let i = 0; i < n; i++) {
-    const button = box.children[i],
-      x = cornerAt(i),
-      [px, py] = toScreen(x);
+    const button = box.children[i];
+    button.hidden = !handled[i];
+    if (!handled[i]) continue;
+    const [px, py] = toScreen(cornerAt(i)),
+      seen = isCornerSeen(i);
     button.style.transform = `translate(${px.toFixed(1)}px, ${py.toFixed(1)}px)`;
     button.className =
       (n > 24 ? "many " : "") +
-      (isSeen(x) ? "" : "behind ") +
+      (seen ? "" : "behind ") +
       (!found.ok && found.other < 0 && found.bad === i ? "bad" : "");
     button.textContent = i + 1;
-    button.setAttribute("aria-label", `Corner ${i + 1} of ${n}${isSeen(x) ? "" : ", behind"}`);
+    button.setAttribute("aria-label", `Corner ${i + 1} of ${n}${seen ? "" : ", behind"}`);
   }
 }
 
@@ -660,29 +698,45 @@ function draw() {
 const three = (x) => x.toFixed(3);
 const degrees = (x) => ((x * 180) / Math.PI).toFixed(1) + "\u00b0";
 
-// The fold that an outline has most of: of equals the first, for what is 3-fold is 6-fold, too.
-function mostOf(mu) {
-  const n = count(),
-    last = n > 6 && n <= RANK ? n : 6;
+// What the outline is called. A polygon of n corners is no polygon of more. By classical transport it may be: arrows that
+// turn by S in all, instead of 2 pi, look like those of n 2 pi / S corners. Above rank 6, values below HALF are the noise
+// of many short edges. Of equals the first counts, for what is 3-fold is 6-fold, too.
+const ROUND = 0.15,
+  SLIGHT = 0.35,
+  HALF = 0.5,
+  ALMOST = 0.7,
+  CLEAR = 0.9;
+const cornersSeen = (turning) => Math.ceil((count() * 2 * Math.PI) / turning - 1e-9);
+
+function mostOf(mu, corners = count()) {
   let best = 2;
-  for (let p = 3; p <= last; p++) if (mu[p] > mu[best] + 0.005) best = p;
+  for (let p = 3; p <= Math.min(Math.max(corners, 6), RANK); p++)
+    if (mu[p] > mu[best] + 0.005 && (p <= 6 || mu[p] > HALF)) best = p;
   return best;
 }
 
-function verdictOf(mu, name) {
-  const p = mostOf(mu);
-  const what =
-    ["elongated", "a triangle", "a square", "a pentagon", "a hexagon"][p - 2] ||
-    `a${p === 8 || p === 11 ? "n" : ""} ${p}-gon`;
-  const said = mu[p] < 0.15 ? "nearly round" : mu[p] > 0.9 ? what : p === 2 ? "somewhat elongated" : "partly " + what;
-  return `<b class="${name}">${said}</b> <i>(mu<sub>${p}</sub> = ${mu[p].toFixed(2)})</i>`;
+const value = (mu, p) => `<i>mu<sub>${p}</sub> = ${mu[p].toFixed(2)}</i>`;
+
+// The rank that decides, the words for it, and whether the outline is elongated besides.
+function verdictOf(mu, corners) {
+  const p = mostOf(mu, corners),
+    long = p > 2 && mu[p] >= ROUND && mu[2] >= ROUND;
+  const fold = FOLD[p] || `${p}-fold`,
+    noun = p === 4 && long ? "a rectangle" : NOUN[p] || `a${p === 8 || p === 11 ? "n" : ""} ${p}-gon`;
+  let said = noun;
+  if (mu[p] < ROUND) said = "nearly round";
+  else if (mu[p] < SLIGHT) said = "slightly " + fold;
+  else if (p === 2) said = mu[p] < ALMOST ? "elongated" : "very elongated";
+  else if (mu[p] < ALMOST) said = "somewhat " + fold;
+  else if (mu[p] < CLEAR) said = "almost " + noun;
+  return { p, said, long };
 }
 
 function writeBars() {
   const box = $("bars");
   if (!box.children.length) {
     box.innerHTML = [1, 0.5, 0]
-      .map((y) => `<div class="scale" style="top:${10 + 132 * (1 - y)}px"><span>${y}</span></div>`)
+      .map((y) => `<div class="scale" style="top:calc(10px + var(--high) * ${1 - y})"><span>${y}</span></div>`)
       .join("");
     for (let p = 1; p <= RANK; p++) {
       const button = document.createElement("button");
@@ -719,7 +773,7 @@ function writeBars() {
   });
   $("readout").innerHTML = !found.ok
     ? ""
-    : `mu<sub>${rank}</sub> (${FOLD[rank]}): <b>${three(found.mu[rank])}</b> corrected, ` +
+    : `mu<sub>${rank}</sub> (${FOLD[rank] || rank + "-fold"}): <b>${three(found.mu[rank])}</b> corrected, ` +
       `<b>${three(found.classical[rank])}</b> classical`;
 }
 
@@ -738,7 +792,8 @@ function dial(arrows, m, theta, mu, gap) {
         'stroke="var(--classical)" stroke-width="2" stroke-dasharray="3 3"/>',
     );
   }
-  const thin = count() > 24;
+  const thin = count() > 24,
+    lines = new Map(); // of very many arrows one path a colour, without heads: a drag shall not wait for the dials
   for (let e = 0; e < m; e++) {
     const size = Math.hypot(arrows[2 * e], arrows[2 * e + 1]),
       angle = Math.atan2(arrows[2 * e + 1], arrows[2 * e]);
@@ -746,6 +801,11 @@ function dial(arrows, m, theta, mu, gap) {
     const r = (72 * size) / longest,
       edge = e === count() ? outline.base : e,
       style = edgeColor(edge);
+    if (count() > 128) {
+      const shared = edgeColor(edge - (edge % Math.ceil(count() / 64)));
+      lines.set(shared, `${lines.get(shared) || ""}M0 0L${place(angle, r).join(" ")}`);
+      continue;
+    }
     const h = Math.min(11, 0.6 * r),
       [bx, by] = place(angle, r - 0.8 * h),
       turn = (-angle * 180) / Math.PI;
@@ -762,6 +822,7 @@ function dial(arrows, m, theta, mu, gap) {
       );
     }
   }
+  for (const [style, path] of lines) parts.push(`<path d="${path}" stroke="${style}" stroke-width="1.2"/>`);
   if (mu > 1e-9)
     for (let k = 0; k < rank; k++)
       parts.push(
@@ -793,10 +854,10 @@ function writeDials() {
       ? ""
       : `mu<sub>${rank}</sub> = ${three(name === "corrected" ? found.mu[rank] : found.classical[rank])}<br>` +
         (name === "corrected"
-          ? "one round closes"
+          ? "closes after one round"
           : Math.abs(found.curvature) < 1e-9
-            ? "one round closes, too"
-            : `one round misses ${degrees(found.curvature)}`);
+            ? "closes, too"
+            : `off by ${degrees(found.curvature)} after one round`);
   }
 }
 
@@ -805,10 +866,13 @@ function writeVerdict() {
     $("verdict").textContent = "Not measured: " + found.sentence + ".";
     return;
   }
-  const same = Math.max(...Array.from(found.mu, (x, p) => Math.abs(x - found.classical[p]))) < 0.0005;
+  const [one, other] = [verdictOf(found.mu), verdictOf(found.classical, cornersSeen(found.turning))];
+  const same = one.said === other.said && Math.abs(found.mu[one.p] - found.classical[other.p]) < 0.01;
   $("verdict").innerHTML =
-    `<span>This outline is ${verdictOf(found.mu, "corrected")}.</span> <span>Classical transport says ` +
-    (same ? "the same" : verdictOf(found.classical, "classical")) +
+    `<span><em>This outline is </em><b class="corrected">${one.said}</b> (${value(found.mu, one.p)})` +
+    (one.long ? `<em>, elongated (${value(found.mu, 2)})</em>` : "") +
+    ".</span> <span>Classical<em> transport says</em>: " +
+    (same ? "the same" : `<b class="classical">${other.said}</b> (${value(found.classical, other.p)})`) +
     ".</span>";
 }
 
@@ -817,11 +881,12 @@ function hintFor(name) {
   const half = outline.kind === "plane" ? "" : " Or the outline encloses half of the body or more.";
   return (
     {
-      clockwise: "Turn it round with the button below." + half,
+      clockwise: "Press Reverse." + half,
       crosses_itself: "The edges that cross are marked.",
       too_few_corners: "Add some, with the button below.",
       too_much_curvature: "At half a sphere, for example, an outline turns neither way.",
       coincident_corners: "Drag one of the two away.",
+      too_long: "Remove some corners.",
       antipodal_corners: "Drag one of the two, or add a corner between them.",
       callback_failed: "No shortest line was found between two corners. Add a corner between them.",
       winds: "Drag an edge back over the hole or the tube.",
@@ -859,45 +924,165 @@ function writeTable() {
 function writeText() {
   $("command").textContent = commandOf(outline) + " outline.tsv";
   $("tsv").value = found.ok ? tableOf(outline, found) : "# " + found.sentence + "\n";
-  const points = [];
-  for (let i = 0; i < count(); i++) points.push(cornerAt(i).join(" "));
-  if (document.activeElement !== $("line"))
-    $("line").value = `${outline.kind}; ${outline.shape.join(" ")}; ${outline.base + 1}; ${points.join(", ")}`;
+  $("link").value = here() + "#" + shapeText();
+  // The address follows, from the first change on. Browsers that count such calls may refuse one: it is then late.
+  if (!past.length && !future.length) return;
+  try {
+    history.replaceState(null, "", "#" + shapeText());
+  } catch {}
 }
 
-// Reads such a line; returns what is wrong with it, or nothing.
-function load(text) {
-  const [kind, shape, base, points, ...rest] = text.trim().split(/\s*;\s*/);
-  if (!KINDS.includes(kind)) return "It begins with plane, sphere, ellipsoid or torus.";
-  if (points === undefined || rest.length) return "It has four parts, with semicolons between them.";
-  const list = (s) => s.split(/\s+/).map(Number),
-    size = list(shape),
-    from = Number(base);
-  const corners = points.split(/\s*,\s*/).map(list);
-  if (size.length !== 3 || !size.every((x) => x >= 0 && x <= 100))
-    return "The second part is three numbers, from 0 to 100.";
-  if (kind === "torus" ? !(size[0] > size[1] && size[1] > 0) : !size.every((x) => x > 0))
-    return "There is no such " + kind + ".";
-  if (!corners.every((x) => x.length === 3 && x.every((c) => Math.abs(c) <= 1000)))
-    return "A corner is three numbers, from -1000 to 1000.";
-  if (corners.length < 3 || corners.length > engine.most) return `It has 3 to ${engine.most} corners.`;
-  if (!(Number.isInteger(from) && from >= 1 && from <= corners.length))
-    return "The third part is the number of an edge.";
-  const next = { kind, shape: size, base: from - 1, corners: [] };
-  for (const x of corners) {
-    const on = engine.project(next, x);
-    if (!on) return "A corner does not lie on the surface.";
-    next.corners.push(...(norm(plus(on, x, -1)) < 1e-12 ? x : on)); // its own digits, if it lies there already
+// --- an outline as the fragment of an address --------------------------------------------------------------------------
+// kind/edge/corner/corner/..., numbers with commas between them; ellipsoid and torus have their shape before the edge.
+// The edge is the one that arrows are carried to, from 1. Nothing but such numbers is taken from an address.
+
+const WIDTH = { plane: 2, sphere: 3, ellipsoid: 3, torus: 3, embedded: 6 };
+const SIZES = { ellipsoid: 3, torus: 2 };
+const A_NUMBER = /^-?\d{1,10}(\.\d{1,25})?(e-\d{1,3})?$/;
+const LONGEST_FRAGMENT = 160000;
+
+const here = () => document.URL.split("#")[0];
+const mostCorners = (kind) => (SIZES[kind] ? MOST_ON_BODY : engine.most);
+
+function shapeText() {
+  const parts = [outline.kind];
+  if (SIZES[outline.kind]) parts.push(outline.shape.slice(0, SIZES[outline.kind]).join());
+  parts.push(outline.base + 1);
+  for (let i = 0; i < count(); i++) {
+    const x = cornerAt(i).concat(hasNormals() ? at(outline.normals, i) : []);
+    parts.push(x.slice(0, WIDTH[outline.kind]).join());
   }
-  change(next);
-  goTo(viewOfAll());
+  return parts.join("/");
+}
+
+// Returns the outline, or a sentence that says what is wrong. No part of the text comes back in it.
+function readShape(text) {
+  if (text.length > LONGEST_FRAGMENT) return "The link is too long.";
+  try {
+    text = decodeURIComponent(text); // mail programs write %2C for a comma
+  } catch {
+    return "The link has a % that stands for nothing.";
+  }
+  const parts = text.split("/"),
+    kind = parts.shift();
+  if (!KINDS.includes(kind)) return "The link does not begin with a surface that this page knows.";
+  const list = (part) => {
+    const fields = (part || "").split(",");
+    return fields.every((field) => A_NUMBER.test(field)) ? fields.map(Number) : [];
+  };
+  const shape = SIZES[kind] ? list(parts.shift()) : [1, 1, 1];
+  if (kind === "torus") shape.push(0);
+  const isSize = (x) => x >= 0.05 && x <= 20;
+  if (
+    shape.length !== 3 ||
+    (kind === "torus" ? !(shape[0] > shape[1] && shape.slice(0, 2).every(isSize)) : !shape.every(isSize))
+  )
+    return "The shape of the surface in the link is out of range.";
+  const base = /^\d{1,4}$/.test(parts[0]) ? Number(parts.shift()) - 1 : -1;
+  if (parts.length < 3 || parts.length > mostCorners(kind))
+    return `The link has not 3 to ${mostCorners(kind)} corners.`;
+  if (!(base >= 0 && base < parts.length)) return "The link does not say the number of an edge.";
+  const next = { kind, shape, base, corners: [] },
+    most = SIZES[kind] || kind === "sphere" ? 1000 : 1e9;
+  if (kind === "embedded") next.normals = [];
+  for (const part of parts) {
+    const x = list(part);
+    if (x.length !== WIDTH[kind] || !x.every((c) => Math.abs(c) <= most))
+      return `A corner in the link is not ${WIDTH[kind]} numbers from -${most} to ${most}.`;
+    if (kind === "plane") x.push(0);
+    const on = engine.project(next, x.slice(0, 3));
+    if (!on) return "A corner in the link does not lie on the surface.";
+    // its own digits, if it lies there already
+    next.corners.push(...(norm(plus(on, x, -1)) < 1e-12 * (1 + norm(on)) ? x.slice(0, 3) : on));
+    if (next.normals) next.normals.push(...x.slice(3));
+  }
+  return next;
+}
+
+function showShape(text) {
+  const next = readShape(text);
+  if (typeof next === "string") return next;
+  show(next);
   return "";
+}
+
+const fragment = () => document.URL.split("#").slice(1).join("#");
+
+// An address that names a place of the page is none of an outline.
+function readAddress() {
+  const text = fragment();
+  if (text === "" || text === "numbers") return;
+  const wrong = showShape(text);
+  if (wrong) notify(wrong + " The outline here is another one.");
+}
+
+function notify(text) {
+  $("notice").textContent = text;
+  $("notice").hidden = !text;
+}
+
+// --- an outline from a table ---------------------------------------------------------------------------------------------
+
+let loaded = []; // outlines of the last table
+
+function showLoaded(i, remarks = []) {
+  const { id, kind, corners, normals, fault } = loaded[i];
+  if (fault) throw fault;
+  const name = loaded.length > 1 ? `outline ${quote(id)}` : "the outline",
+    n = corners.length / 3;
+  if (n > mostCorners(kind))
+    throw new TableError(
+      `${name} has ${n} corners; this page takes up to ${mostCorners(kind)}, the command any number`,
+    );
+  const next = { kind, shape: [1, 1, 1], base: 0, corners, normals };
+  if (kind === "sphere")
+    next.corners = Array.from({ length: n }, (_, k) => engine.project(next, at(corners, k)) || [0, 0, 0]).flat();
+  show(next);
+  notify(remarks.join(" "));
+}
+
+// Loads a table or a link; opens the window with what is wrong, if anything is.
+function load(text) {
+  $("load-said").hidden = true;
+  const line = text.length < LONGEST_FRAGMENT + 4096 ? text.trim() : "",
+    link = /\s/.test(line) ? null : /(?:plane|sphere|ellipsoid|torus|embedded)\/.*$/.exec(line);
+  let example = EXAMPLES.plane,
+    wrong = "";
+  try {
+    if (link) wrong = showShape(link[0]);
+    else {
+      const table = readTable(text, $("load-surface").value);
+      loaded = table.outlines;
+      $("which").replaceChildren(...loaded.slice(0, 5000).map(({ id }, i) => new Option(id.slice(0, 40), i)));
+      $("which").hidden = loaded.length < 2;
+      const first = Math.max(
+        0,
+        loaded.findIndex(({ fault }) => !fault),
+      );
+      $("which").value = first;
+      showLoaded(first, loaded.length > 1 ? [`${loaded.length} outlines were read.`, ...table.remarks] : []);
+    }
+  } catch (error) {
+    if (!(error instanceof TableError)) throw error;
+    [wrong, example] = [error.message, error.example];
+  }
+  if (!wrong) {
+    $("load").close();
+    return;
+  }
+  $("load-why").textContent = wrong;
+  $("load-right").textContent = example;
+  $("load-said").hidden = false;
+  $("load-text").value = text.length > 100000 ? "" : text; // a field with megabytes is slow
+  if (!$("load").open) $("load").showModal();
+  $("load").scrollTop = 0;
 }
 
 let later = 0;
 function refresh() {
   found = engine.measure(outline);
   kept[outline.kind] = outline;
+  $("own").hidden = !kept.embedded;
   document.querySelector(`input[name="kind"][value="${outline.kind}"]`).checked = true;
   $("trouble").hidden = found.ok;
   if (!found.ok && $("trouble-text").textContent !== capital(found.sentence) + ".") {
@@ -910,7 +1095,7 @@ function refresh() {
   writeVerdict();
   writeBend();
   $("remove").disabled = count() <= 3;
-  $("add").disabled = count() >= engine.most;
+  $("add").disabled = count() >= mostCorners(outline.kind);
   $("undo").disabled = !past.length;
   $("redo").disabled = !future.length;
   draw();
@@ -948,8 +1133,18 @@ function change(next, name = null) {
   }
   gesture = name;
   outline = next;
+  notify("");
   if (selected >= count()) selected = -1;
   refresh();
+}
+
+// Does any corner stand on the stage?
+function isInView() {
+  for (let i = 0; i < count(); i++) {
+    const [x, y] = toScreen(cornerAt(i));
+    if (x > 0 && y > 0 && x < width && y < height) return true;
+  }
+  return false;
 }
 
 function timeTravel(from, to) {
@@ -959,7 +1154,7 @@ function timeTravel(from, to) {
   outline = from.pop();
   gesture = null;
   refresh();
-  if (outline.kind !== kind) goTo(viewOfAll());
+  if (outline.kind !== kind || !isInView()) goTo(viewOfAll());
 }
 
 function moveCorner(i, x, name) {
@@ -970,19 +1165,28 @@ function moveCorner(i, x, name) {
 }
 
 function addCorner(edge, x) {
-  if (!x || count() >= engine.most) return;
-  const corners = outline.corners.slice();
+  if (!x || count() >= mostCorners(outline.kind)) return;
+  const corners = outline.corners.slice(),
+    normals = hasNormals() ? outline.normals.slice() : undefined;
   corners.splice(3 * edge + 3, 0, ...x);
-  change({ ...outline, corners, base: outline.base > edge ? outline.base + 1 : outline.base });
+  if (normals) normals.splice(3 * edge + 3, 0, ...plus(unit(cornerNormal(edge)), unit(cornerNormal(edge + 1))));
+  change({ ...outline, corners, normals, base: outline.base > edge ? outline.base + 1 : outline.base });
   select(edge + 1);
 }
 
 function removeCorner(i) {
   if (i < 0 || count() <= 3) return;
-  const corners = outline.corners.slice();
+  const corners = outline.corners.slice(),
+    normals = hasNormals() ? outline.normals.slice() : undefined;
   corners.splice(3 * i, 3);
+  if (normals) normals.splice(3 * i, 3);
   const n = corners.length / 3;
-  change({ ...outline, corners, base: (outline.base >= i && outline.base > 0 ? outline.base - 1 : outline.base) % n });
+  change({
+    ...outline,
+    corners,
+    normals,
+    base: (outline.base >= i && outline.base > 0 ? outline.base - 1 : outline.base) % n,
+  });
   select(Math.min(i, n - 1));
 }
 
@@ -1008,20 +1212,23 @@ function longestEdge(corners = outline.corners) {
   return best;
 }
 
-function turnRound() {
-  const corners = [];
-  for (let i = count() - 1; i >= 0; i--) corners.push(...cornerAt(i));
-  change({ ...outline, corners, base: (2 * count() - 2 - outline.base) % count() });
+function reversed(old) {
+  const n = old.corners.length / 3,
+    back = (array) => Array.from({ length: n }, (_, i) => at(array, n - 1 - i)).flat();
+  const normals = old.normals && back(old.normals);
+  return { ...old, corners: back(old.corners), normals, base: (2 * n - 2 - old.base) % n };
 }
 
 function select(i, focus = true) {
+  const before = selected;
   selected = i;
   const button = $("corners").children[i];
   if (!button) return;
+  if (count() > MANY && before !== i) drawHandles();
   if (focus) button.focus({ preventScroll: true });
-  else if (!pointers.size && !isSeen(cornerAt(i)))
+  else if (!pointers.size && !isCornerSeen(i))
     // reached by key, behind: bring it to the front
-    goTo({ ...view, rows: lookFrom(plus(unit(normalAt(cornerAt(i))), [0, 0, outline.kind === "torus" ? 0.9 : 0.1])) });
+    goTo({ ...view, rows: lookFrom(plus(unit(cornerNormal(i)), [0, 0, outline.kind === "torus" ? 0.9 : 0.1])) });
 }
 
 // --- outlines to begin with ------------------------------------------------------------------------------------------
@@ -1031,6 +1238,10 @@ function show(next, p = 0) {
   change(next);
   if (p || found.ok) setRank(p || mostOf(found.mu));
   goTo(viewOfAll());
+  // on a phone the result stands above the drawing: both shall be seen
+  const top = $("numbers").getBoundingClientRect().top,
+    bottom = stage.getBoundingClientRect().bottom;
+  if (phone.matches && (top < 0 || bottom > innerHeight)) $("numbers").scrollIntoView({ block: "start" });
 }
 
 const fromDegrees = (list) => {
@@ -1053,7 +1264,8 @@ function regular(kind, n, shape = DEFAULT_SHAPE[kind]) {
 
 const PRESETS = {
   octant: () => show(onSphere([1, 0, 0, 0, 1, 0, 0, 0, 1]), 3),
-  regular: () => show(regular(outline.kind, Number($("sides").value)), Number($("sides").value)),
+  regular: () =>
+    show(regular(hasNormals() ? "sphere" : outline.kind, Number($("sides").value)), Number($("sides").value)),
   h3: () => show(onSphere(fromDegrees(presets.h3)), 5),
   cell: () => {
     // micrometres; the half-axes of its ellipsoid are 110, 50 and 40
@@ -1131,7 +1343,7 @@ function cornerNear([x, y], reach) {
   for (const seen of [true, false]) {
     // those in front first
     for (let i = 0; i < count(); i++) {
-      if (isSeen(cornerAt(i)) !== seen) continue;
+      if (!handled[i] || isCornerSeen(i) !== seen) continue;
       const [px, py] = toScreen(cornerAt(i)),
         d = Math.hypot(px - x, py - y);
       if (d < least) [least, best] = [d, i];
@@ -1169,7 +1381,7 @@ function addOrRemove(place, reach) {
     return;
   }
   const edge = edgeNear(place, reach * 1.3);
-  if (edge >= 0) addCorner(edge, under(...place));
+  if (edge >= 0) addCorner(edge, under(...place, edge));
 }
 
 stage.addEventListener("pointerdown", (event) => {
@@ -1244,7 +1456,7 @@ stage.addEventListener("pointermove", (event) => {
     }
     draw();
   } else {
-    moveCorner(drag.corner, under(place[0] + drag.off[0], place[1] + drag.off[1]), drag.name);
+    moveCorner(drag.corner, under(place[0] + drag.off[0], place[1] + drag.off[1], drag.corner), drag.name);
   }
 });
 
@@ -1280,6 +1492,7 @@ stage.addEventListener(
 // --- keys ------------------------------------------------------------------------------------------------------------
 
 document.addEventListener("keydown", (event) => {
+  if (document.querySelector("dialog[open]")) return;
   const target = event.target,
     typing = target.matches("textarea, select, input[type=range]");
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
@@ -1298,7 +1511,13 @@ document.addEventListener("keydown", (event) => {
     event.preventDefault();
     const step = event.shiftKey ? 1 : 8,
       [px, py] = toScreen(cornerAt(i));
-    if (isSeen(cornerAt(i))) moveCorner(i, under(px + step * way[0], py + step * way[1]), "key" + i);
+    if (isCornerSeen(i)) moveCorner(i, under(px + step * way[0], py + step * way[1], i), "key" + i);
+    return;
+  }
+  const next = { PageDown: 1, PageUp: -1 }[key];
+  if (next && i >= 0) {
+    event.preventDefault();
+    select((i + next + count()) % count());
     return;
   }
   const turn = { a: [-1, 0], d: [1, 0], w: [0, -1], s: [0, 1] }[key];
@@ -1310,6 +1529,7 @@ document.addEventListener("keydown", (event) => {
   } else if (key === "+" || key === "=") zoom(1.25);
   else if (key === "-") zoom(0.8);
   else if (key === "0") goTo(viewOfAll());
+  else if (key === "?") $("help").showModal();
   else if ((key === "Delete" || key === "Backspace") && i >= 0) {
     event.preventDefault();
     removeCorner(i);
@@ -1337,7 +1557,7 @@ $("bend-value").addEventListener("change", () => {
 });
 $("add").addEventListener("click", addInTheMiddle);
 $("remove").addEventListener("click", () => removeCorner(selected >= 0 ? selected : count() - 1));
-$("turn").addEventListener("click", turnRound);
+$("turn").addEventListener("click", () => change(reversed(outline)));
 $("undo").addEventListener("click", () => timeTravel(past, future));
 $("redo").addEventListener("click", () => timeTravel(future, past));
 $("closer").addEventListener("click", () => zoom(1.3));
@@ -1369,12 +1589,38 @@ for (const button of document.querySelectorAll("[data-copy]")) {
     }, 1500);
   });
 }
-$("load").addEventListener("click", () => {
-  $("load-said").textContent = load($("line").value) || "Loaded.";
+$("open-help").addEventListener("click", () => $("help").showModal());
+$("open-load").addEventListener("click", () => {
+  $("load-said").hidden = true;
+  $("load").showModal();
+  $("load-text").focus({ preventScroll: true });
 });
-$("line").addEventListener("input", () => {
-  $("load-said").textContent = "";
+for (const button of document.querySelectorAll("[data-close]"))
+  button.addEventListener("click", () => button.closest("dialog").close());
+$("load-do").addEventListener("click", () => load($("load-text").value));
+$("load-example").addEventListener("click", () => {
+  $("load-text").value = EXAMPLES.plane;
 });
+$("which").addEventListener("change", () => {
+  try {
+    showLoaded(Number($("which").value));
+  } catch (error) {
+    if (!(error instanceof TableError)) throw error;
+    notify(error.message);
+  }
+});
+document.addEventListener("paste", (event) => {
+  if (event.target.closest && event.target.closest("textarea, dialog")) return;
+  const text = event.clipboardData.getData("text/plain");
+  if (text) load(text);
+});
+document.addEventListener("dragover", (event) => event.preventDefault());
+document.addEventListener("drop", async (event) => {
+  event.preventDefault();
+  const [file] = event.dataTransfer.files;
+  if (file) load(file.size > MOST_TEXT ? " ".repeat(MOST_TEXT + 1) : await file.text());
+});
+window.addEventListener("hashchange", readAddress);
 
 for (let p = 3; p <= 12; p++) $("sides").add(new Option(p, p, p === 6, p === 6));
 for (const name of Object.keys(presets.countries)) $("country").add(new Option(name, name));
@@ -1404,6 +1650,7 @@ async function start() {
   outline = onSphere([1, 0, 0, 0, 1, 0, 0, 0, 1]);
   view = viewOfAll();
   refresh();
+  readAddress();
   rest();
   new ResizeObserver(resize).observe(stage);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {

@@ -8,6 +8,7 @@
    and torus the shortest geodesics (examples/surfaces/implicit.h), each cut into an odd number of pieces of at most
    PIECE: the chords of these pieces are measured, with the exact normals at their ends. So what is drawn, what is
    measured, and what the page hands to the command line are the same points.
+   A table of corners with normals is a surface of its own, of which nothing else is known: edges are chords.
 
    Order. Edge 0 of what is measured is the edge `base`, or the piece in its middle: all directions are read there. */
 #define SURFMINK_STATIC
@@ -23,11 +24,14 @@
 
 #define PIECE 0.02 /* surfaces of the page have sizes near 1 */
 
-enum { CORNERS = 128, PIECES = 201, POINTS = CORNERS * PIECES, RANK = 12 };
-enum { PLANE, SPHERE, ELLIPSOID, TORUS }; /* as in page.js */
-enum { WINDS = 100 };                     /* not of surfmink_status: a closed curve of the torus that bounds nothing */
+enum { CORNERS = 1024, PIECES = 201, POINTS = 32768, RANK = 12 };
+enum { PLANE, SPHERE, ELLIPSOID, TORUS, EMBEDDED }; /* as in engine.js */
+
+/* Not of surfmink_status: a closed curve of the torus that bounds nothing; more than POINTS pieces. */
+enum { WINDS = 100, TOO_LONG };
 
 static double corner[3 * CORNERS]; /* x y z each; z = 0 in the plane */
+static double given[3 * CORNERS];  /* EMBEDDED: a normal at each corner */
 static double shape[3];            /* ellipsoid: three semi-axes; torus: two radii */
 
 /* The outline as it is drawn: points with unit normals, each of the edge edge_of[], from the middle of the base. */
@@ -57,6 +61,11 @@ static results result;
 EXPORT(playground_corner) double *playground_corner(void)
 {
     return corner;
+}
+
+EXPORT(playground_given) double *playground_given(void)
+{
+    return given;
 }
 
 EXPORT(playground_shape) double *playground_shape(void)
@@ -106,12 +115,14 @@ EXPORT(playground_corners) int playground_corners(void)
 
 EXPORT(playground_strerror) const char *playground_strerror(int status)
 {
-    return status == WINDS ? "the outline winds round the torus and encloses no part of it" : surfmink_strerror(status);
+    if (status == WINDS) return "the outline winds round the torus and encloses no part of it";
+    return status == TOO_LONG ? "the outline is too long for this page" : surfmink_strerror(status);
 }
 
 EXPORT(playground_status_name) const char *playground_status_name(int status)
 {
-    return status == WINDS ? "winds" : surfmink_status_name(status);
+    if (status == WINDS) return "winds";
+    return status == TOO_LONG ? "too_long" : surfmink_status_name(status);
 }
 
 /* --- the surfaces ------------------------------------------------------------------------------------------------- */
@@ -163,8 +174,8 @@ static void normal_at(int kind, const surfmink_implicit *implicit, const double 
     int k;
     n[0] = n[1] = 0;
     n[2] = 1;
-    if (kind == SPHERE)
-        for (size = implicit__norm(x), k = 0; k < 3; ++k) n[k] = x[k] / size;
+    if (kind == SPHERE || kind == EMBEDDED) /* of EMBEDDED x is the normal itself */
+        for (size = implicit__norm(x), k = 0; k < 3; ++k) n[k] = size > 0 ? x[k] / size : 0;
     else if (kind != PLANE)
         surfmink_implicit_normal(implicit, x, n);
 }
@@ -176,6 +187,7 @@ EXPORT(playground_project) int playground_project(int kind, int i)
     double radius, size, *x = corner + 3 * i;
     int k;
     surface_of(kind, &implicit, &radius);
+    if (kind == EMBEDDED) return 1;
     if (kind == PLANE) {
         x[2] = 0;
         return 1;
@@ -221,6 +233,12 @@ static int trace_edge(int kind, const surfmink_surface *surface, int i, const do
     trace *t = traced + i;
     double way, direction[2];
     int k, status;
+    if (kind == EMBEDDED) {
+        for (k = 0; k < 3; ++k) t->point[k] = x[k];
+        t->kind = kind;
+        t->pieces = 1;
+        return SURFMINK_OK;
+    }
     if (t->pieces > 0 && t->kind == kind && same(t->from, x) && same(t->to, y) && same(t->shape, shape))
         return SURFMINK_OK;
     t->pieces = 0;
@@ -246,7 +264,7 @@ static void add_points(int kind, const surfmink_implicit *implicit, int i, size_
     int k;
     for (j = from; j < to; ++j, ++points) {
         for (k = 0; k < 3; ++k) point[3 * points + (size_t)k] = traced[i].point[3 * j + (size_t)k];
-        normal_at(kind, implicit, point + 3 * points, normal + 3 * points);
+        normal_at(kind, implicit, kind == EMBEDDED ? given + 3 * i : point + 3 * points, normal + 3 * points);
         edge_of[points] = i;
     }
 }
@@ -256,6 +274,7 @@ static void add_points(int kind, const surfmink_implicit *implicit, int i, size_
 static int trace_outline(int kind, const surfmink_surface *surface, const surfmink_implicit *implicit, int n, int base)
 {
     int i, e, status, first = SURFMINK_OK;
+    size_t total = 0;
     points = 0;
     for (i = 0; i < n; ++i) {
         status = trace_edge(kind, surface, i, corner + 3 * i, corner + 3 * ((i + 1) % n));
@@ -263,7 +282,9 @@ static int trace_outline(int kind, const surfmink_surface *surface, const surfmi
             first = status;
             result.bad = i;
         }
+        total += traced[i].pieces;
     }
+    if (total > POINTS) return TOO_LONG;
     for (i = 0; i < n; ++i) {
         e = (base + i) % n;
         add_points(kind, implicit, e, i == 0 ? traced[e].pieces / 2 : 0, traced[e].pieces);
@@ -277,7 +298,8 @@ static int trace_outline(int kind, const surfmink_surface *surface, const surfmi
 /* What surfmink_measure cannot tell on ellipsoid and torus, and not always elsewhere: two loops, one to each side,
    leave S and the area as they should be. Here every segment is held against every other.
    In flat coordinates (plane, and on the torus the angles, unwrapped): two segments cross if the ends of each lie on
-   both sides of the other. On the sphere, and on the ellipsoid scaled to it, so do arcs. */
+   both sides of the other. On the sphere, and on the ellipsoid scaled to it, so do arcs. A table with normals is seen
+   along their mean, unless one of them is more than 60 degrees off it: from there it may fold over what does not. */
 static double flat[2 * POINTS];
 
 /* Whatever crosses, lies within the circles about both: only so are the signs below more than rounding, where segments
@@ -291,6 +313,7 @@ static int near_each_other(const double *a, const double *b, const double *c, co
         other += (d[k] - c[k]) * (d[k] - c[k]);
         apart += (a[k] + b[k] - c[k] - d[k]) * (a[k] + b[k] - c[k] - d[k]);
     }
+    if (apart > 2.5 * (one + other)) return 0; /* (x + y)^2 <= 2 (x^2 + y^2): most pairs need no root */
     return sqrt(apart) <= sqrt(one) + sqrt(other);
 }
 
@@ -368,11 +391,47 @@ static int arcs_crossing(int kind, const double *a, const double *b, const doubl
     return s > 0 ? u < 0 && v > 0 : u > 0 && v < 0;
 }
 
+/* Unit sum of the normals at the points; 0 0 0 if they cancel. */
+static void mean_normal(double *N)
+{
+    double size;
+    size_t i, k;
+    N[0] = N[1] = N[2] = 0;
+    for (i = 0; i < points; ++i)
+        for (k = 0; k < 3; ++k) N[k] += normal[3 * i + k];
+    size = implicit__norm(N);
+    for (k = 0; k < 3; ++k) N[k] = size > 1e-6 * (double)points ? N[k] / size : 0;
+}
+
+/* Flat coordinates along the mean normal. Returns 0 if the outline may fold there. */
+static int flatten(void)
+{
+    double N[3], across[3], along[3], size;
+    size_t i, k;
+    mean_normal(N);
+    for (i = 0; i < points; ++i)
+        if (!(implicit__dot(normal + 3 * i, N) > 0.5)) return 0; /* 60 degrees */
+    for (k = 0; k < 3; ++k) across[k] = 0;
+    across[fabs(N[0]) < 0.6 ? 0 : 1] = 1;
+    implicit__cross(N, across, along);
+    size = implicit__norm(along);
+    for (k = 0; k < 3; ++k) along[k] /= size;
+    implicit__cross(along, N, across);
+    for (i = 0; i < points; ++i) {
+        double d[3]; /* corners far from the origin keep their digits */
+        for (k = 0; k < 3; ++k) d[k] = point[3 * i + k] - point[k];
+        flat[2 * i] = implicit__dot(d, across);
+        flat[2 * i + 1] = implicit__dot(d, along);
+    }
+    return 1;
+}
+
 /* Names in result.bad and result.other the edges of the first crossing. */
 static int crosses(int kind)
 {
     double a[3] = {0, 0, 0}, b[3] = {0, 0, 0}, ab[3] = {0, 0, 0};
     size_t i, j;
+    if (kind == EMBEDDED && !flatten()) return 0;
     for (i = 0; i < points && kind == PLANE; ++i) {
         flat[2 * i] = point[3 * i];
         flat[2 * i + 1] = point[3 * i + 1];
@@ -384,9 +443,8 @@ static int crosses(int kind)
             implicit__cross(a, b, ab);
         }
         for (j = i + 2; j < points - (i == 0); ++j) {
-            if (kind == PLANE || kind == TORUS ? !flat_crossing(i, j, kind == TORUS)
-                                               : !arcs_crossing(kind, a, b, ab, j))
-                continue;
+            int is_arc = kind == SPHERE || kind == ELLIPSOID;
+            if (!(is_arc ? arcs_crossing(kind, a, b, ab, j) : flat_crossing(i, j, kind == TORUS))) continue;
             result.bad = edge_of[i];
             result.other = edge_of[j];
             return 1;
@@ -399,7 +457,7 @@ static int crosses(int kind)
 
 static int is_chord(int kind)
 {
-    return kind == ELLIPSOID || kind == TORUS;
+    return kind == ELLIPSOID || kind == TORUS || kind == EMBEDDED;
 }
 
 static void add_arrow(double *arrow, double size, double angle)
@@ -450,7 +508,7 @@ static int find_feet(int n, int base)
     return SURFMINK_OK;
 }
 
-/* The middle of the outline, on the surface. */
+/* The middle of the outline, on the surface if that is known. */
 static int find_centre(int kind, const surfmink_implicit *implicit)
 {
     double *x = result.centre, size;
@@ -468,6 +526,10 @@ static int find_centre(int kind, const surfmink_implicit *implicit)
     size = kind == SPHERE ? implicit__norm(x) : 1;
     if (!(size > 1e-6)) return SURFMINK_ZERO_NORMAL;
     for (k = 0; k < 3; ++k) x[k] /= size;
+    if (kind == EMBEDDED) {
+        mean_normal(x + 3);
+        return implicit__norm(x + 3) > 0 ? SURFMINK_OK : SURFMINK_ZERO_NORMAL;
+    }
     if (is_chord(kind)) {
         int status = surfmink_implicit_project(implicit, x, x);
         if (status != SURFMINK_OK) return status;

@@ -1,7 +1,7 @@
 /* mesh.h - triangle meshes and their level sets, for surfmink - MIT or public domain, as you like (see surfmink.h)
 
-   Copy it with meshfile.h, which reads the files, beside surfmink.h, which it does not need. C99 and C++, only libc and
-   libm.
+   Copy it with meshfile.h, which reads the files, and contour.h, which keeps the loops, beside surfmink.h, which it does
+   not need. C99 and C++, only libc and libm.
 
    WHAT IT DOES
      Reads a triangle mesh, and cuts it where a scalar on its vertices has a given value. Out come outlines as
@@ -41,6 +41,7 @@
 #ifndef SURFMINK_MESH_H
 #define SURFMINK_MESH_H
 
+#include "contour.h"
 #include "meshfile.h"
 
 typedef struct mesh {
@@ -62,18 +63,9 @@ typedef struct mesh {
     double *normal; /* from mesh_normals, or the file: 3 per vertex, of unit length; 0 at one without triangles */
 } mesh;
 
-enum mesh_inside { MESH_BELOW = 0, MESH_ABOVE = 1 };
+enum mesh_inside { MESH_BELOW = CONTOUR_BELOW, MESH_ABOVE = CONTOUR_ABOVE };
 
-/* The outlines of one level. */
-typedef struct mesh_loops {
-    size_t loops;
-    size_t *start;    /* loops + 1: loop k has the corners start[k] .. start[k + 1] - 1, at least 3 */
-    double *corner;   /* 3 per corner */
-    double *normal;   /* 3 per corner, of unit length */
-    double area;      /* W_0 of the inside, exact for the flat triangles, open curves or not */
-    size_t open;      /* curves that end at the boundary of the mesh: left out */
-    size_t collapsed; /* loops around a vertex or a ridge exactly at the level, no wider than rounding: left out */
-} mesh_loops;
+typedef contours mesh_loops; /* the outlines of one level; corners on mesh edges */
 
 enum mesh_base { MESH_ICOSAHEDRON = 20, MESH_OCTAHEDRON = 8 };
 
@@ -640,14 +632,6 @@ static inline int mesh_normals(mesh *m, mesh_error *error)
 
 /* --- 4. level set: field on the vertices -> loops ----------------------------------------------------------------- */
 
-/* Adds to a sum that remembers its rounding error: sum[0] + sum[1] is right to the last digit for millions of terms. */
-static inline void mesh__add(double sum[2], double x)
-{
-    double total = sum[0] + x;
-    sum[1] += fabs(sum[0]) >= fabs(x) ? (sum[0] - total) + x : (x - total) + sum[0];
-    sum[0] = total;
-}
-
 /* Area of the mesh. */
 static inline double mesh_area(const mesh *m)
 {
@@ -655,7 +639,7 @@ static inline double mesh_area(const mesh *m)
     size_t t;
     for (t = 0; t < m->triangles; ++t) {
         mesh__double_area(m, t, n);
-        mesh__add(sum, mesh__length(n) / 2);
+        contour_sum(sum, mesh__length(n) / 2);
     }
     return sum[0] + sum[1];
 }
@@ -668,7 +652,7 @@ static inline double mesh_volume(const mesh *m)
     for (t = 0; t < m->triangles; ++t) {
         const double *o = m->vertex + 3 * (size_t)m->triangle[0], *a = m->vertex + 3 * (size_t)m->triangle[3 * t];
         mesh__double_area(m, t, n);
-        mesh__add(sum, ((a[0] - o[0]) * n[0] + (a[1] - o[1]) * n[1] + (a[2] - o[2]) * n[2]) / 6);
+        contour_sum(sum, ((a[0] - o[0]) * n[0] + (a[1] - o[1]) * n[1] + (a[2] - o[2]) * n[2]) / 6);
     }
     return sum[0] + sum[1];
 }
@@ -692,10 +676,7 @@ static inline double mesh_longest_edge(const mesh *m)
 /* Gives the arrays back and leaves no loops. */
 static inline void mesh_free_loops(mesh_loops *loops)
 {
-    free(loops->start);
-    free(loops->corner);
-    free(loops->normal);
-    memset(loops, 0, sizeof *loops);
+    contours_free(loops);
 }
 
 /* How far the level is on the way from one end of an edge to the other: exactly 0 and 1 at the ends. */
@@ -716,44 +697,34 @@ static inline double mesh__share_below(const double f[3], double level)
     return below == 1 ? share : 1 - share;
 }
 
-/* Loops under construction: the arrays of mesh_loops, the room in them, and how much is used. */
+/* A level set under construction. */
 typedef struct mesh__trace {
     const mesh *m;
     const double *field;
     double level;
-    double same; /* corners no farther apart are one */
-    mesh_loops *loops;
-    size_t corner_room, normal_room, start_room;
-    size_t begin, used;  /* corners of the loop at hand: begin .. used - 1 */
-    unsigned char *seen; /* triangles that the curves have passed */
+    int how;
+    int is_above; /* which side is on the left: above only to close curves, for else loops are turned round */
+    contour_trace loops;
+    contour_parts parts; /* with CONTOUR_PARTS, of half-edges: the corners of triangles that they leave */
+    unsigned char
+        *seen; /* each triangle: 1 if a curve has passed it; 2 << k if its side k, at the boundary, has been */
     mesh_error *error;
 } mesh__trace;
 
-static inline int mesh__is_same(const mesh__trace *trace, size_t i, size_t j)
+/* Is the vertex that a half-edge leaves on the side that curves have on their left? */
+static inline int mesh__is_inside(const mesh__trace *trace, size_t h)
 {
-    const double *x = trace->loops->corner + 3 * i, *y = trace->loops->corner + 3 * j;
-    double d[3];
-    int c;
-    for (c = 0; c < 3; ++c) d[c] = x[c] - y[c];
-    return mesh__length(d) <= trace->same;
+    return (trace->field[trace->m->triangle[h]] < trace->level) != trace->is_above;
 }
 
-/* Appends the point where the level crosses a half-edge. Round a vertex exactly at the level several edges are cut in
-   the same point: only one stays. Along a ridge exactly at the level a loop would run there and back: neither stays. */
+/* Appends the point where the level crosses a half-edge. */
 static inline int mesh__add_cut(mesh__trace *trace, size_t h)
 {
     const mesh *m = trace->m;
     size_t from = m->triangle[h], to = m->triangle[mesh__next(h)];
     double t = mesh__fraction(trace->field[from], trace->field[to], trace->level);
-    double s = 1 - t, *x, *n, length;
-    void *grown = mesh__grow(trace->loops->corner, trace->used, &trace->corner_room, 3 * sizeof(double));
+    double s = 1 - t, x[3], n[3], length;
     int c;
-    if (grown) trace->loops->corner = (double *)grown;
-    if (grown) grown = mesh__grow(trace->loops->normal, trace->used, &trace->normal_room, 3 * sizeof(double));
-    if (!grown) return mesh__no_memory(trace->error, m->name);
-    trace->loops->normal = (double *)grown;
-    x = trace->loops->corner + 3 * trace->used;
-    n = trace->loops->normal + 3 * trace->used;
     for (c = 0; c < 3; ++c) {
         x[c] = s * m->vertex[3 * from + (size_t)c] + t * m->vertex[3 * to + (size_t)c];
         n[c] = s * m->normal[3 * from + (size_t)c] + t * m->normal[3 * to + (size_t)c];
@@ -764,111 +735,177 @@ static inline int mesh__add_cut(mesh__trace *trace, size_t h)
                           "the normals at vertices %lu and %lu (from 0) are opposite", (unsigned long)from,
                           (unsigned long)to);
     for (c = 0; c < 3; ++c) n[c] /= length;
-    if (trace->used > trace->begin && mesh__is_same(trace, trace->used - 1, trace->used)) return MESH_OK;
-    if (trace->used > trace->begin + 1 && mesh__is_same(trace, trace->used - 2, trace->used)) {
-        --trace->used;
-        return MESH_OK;
-    }
-    ++trace->used;
-    return MESH_OK;
+    return contour_add(&trace->loops, x, n) ? MESH_OK : mesh__no_memory(trace->error, m->name);
 }
 
-/* Closes the loop at hand: the same tidying across its seam; then it is moved to where it belongs, or dropped. */
-static inline int mesh__close(mesh__trace *trace, size_t first)
+static inline int mesh__add_end(mesh__trace *trace, size_t h)
 {
-    mesh_loops *loops = trace->loops;
-    size_t begin = trace->begin, end = trace->used;
-    void *grown;
-    for (;;) {
-        if (end - begin < 2) break;
-        if (mesh__is_same(trace, begin, end - 1))
-            --end;
-        else if (end - begin > 2 && mesh__is_same(trace, begin, end - 2))
-            end -= 2;
-        else if (end - begin > 2 && mesh__is_same(trace, begin + 1, end - 1))
-            ++begin, --end;
-        else
-            break;
-    }
-    trace->begin = trace->used = first;
-    if (end - begin < 3) {
-        ++loops->collapsed;
-        return MESH_OK;
-    }
-    memmove(loops->corner + 3 * first, loops->corner + 3 * begin, 3 * (end - begin) * sizeof(double));
-    memmove(loops->normal + 3 * first, loops->normal + 3 * begin, 3 * (end - begin) * sizeof(double));
-    grown = mesh__grow(loops->start, loops->loops + 1, &trace->start_room, sizeof *loops->start);
-    if (!grown) return mesh__no_memory(trace->error, trace->m->name);
-    loops->start = (size_t *)grown;
-    loops->start[++loops->loops] = trace->begin = trace->used = first + end - begin;
-    return MESH_OK;
+    const mesh *m = trace->m;
+    const size_t v = m->triangle[h];
+    return contour_add(&trace->loops, m->vertex + 3 * v, m->normal + 3 * v) ? MESH_OK
+                                                                            : mesh__no_memory(trace->error, m->name);
 }
 
-/* The half-edge of triangle t where the field rises from below the level to above it, or MESH_NONE. There the curve
-   comes in, with the part below on its left; it leaves where the field falls. */
-static inline uint32_t mesh__rise(const mesh__trace *trace, size_t t)
+/* The half-edge of triangle t that leads from inside to outside, or MESH_NONE. There a curve with the inside on its
+   left comes in; it leaves where a half-edge leads back inside. */
+static inline uint32_t mesh__entry(const mesh__trace *trace, size_t t)
 {
     size_t h;
     for (h = 3 * t; h < 3 * t + 3; ++h)
-        if (trace->field[trace->m->triangle[h]] < trace->level &&
-            !(trace->field[trace->m->triangle[mesh__next(h)]] < trace->level))
-            return (uint32_t)h;
+        if (mesh__is_inside(trace, h) && !mesh__is_inside(trace, mesh__next(h))) return (uint32_t)h;
     return MESH_NONE;
 }
 
-static inline size_t mesh__fall(const mesh__trace *trace, size_t rise)
+static inline size_t mesh__exit(const mesh__trace *trace, size_t entry)
 {
-    size_t h = mesh__next(rise);
-    return trace->field[trace->m->triangle[mesh__next(h)]] < trace->level ? h : mesh__next(h);
+    size_t h = mesh__next(entry);
+    return mesh__is_inside(trace, mesh__next(h)) ? h : mesh__next(h);
 }
 
-/* Follows the curve that comes in at a half-edge until it closes or leaves the mesh. */
-static inline int mesh__follow(mesh__trace *trace, uint32_t rise, int keep)
+/* Passes a half-edge at the boundary: returns the next one there, on the same sheet if several meet in a vertex. */
+static inline size_t mesh__along(mesh__trace *trace, size_t h)
 {
-    size_t first = trace->used;
-    while (rise != MESH_NONE && !trace->seen[rise / 3]) {
-        int status = keep ? mesh__add_cut(trace, rise) : MESH_OK;
-        if (status) return status;
-        trace->seen[rise / 3] = 1;
-        rise = trace->m->twin[mesh__fall(trace, rise)];
+    const uint32_t *twin = trace->m->twin;
+    trace->seen[h / 3] |= (unsigned char)(2 << h % 3);
+    h = mesh__next(h);
+    while (twin[h] != MESH_NONE) h = mesh__next(twin[h]);
+    return h;
+}
+
+/* The curve at hand runs between these two. */
+static inline int mesh__between(mesh__trace *trace, size_t left, size_t right)
+{
+    int is_turned = trace->is_above != (trace->how & CONTOUR_ABOVE);
+    const uint32_t *part = trace->parts.part;
+    return contour_between(&trace->loops, part[is_turned ? right : left], part[is_turned ? left : right])
+               ? MESH_OK
+               : mesh__no_memory(trace->error, trace->m->name);
+}
+
+/* Follows the curve that comes in at a half-edge until it closes or leaves the mesh; there it goes on along the
+   boundary, if curves are to be closed, to where the next one comes in. */
+static inline int mesh__follow(mesh__trace *trace, size_t begin)
+{
+    const mesh *m = trace->m;
+    size_t h = begin;
+    int status = MESH_OK;
+    do {
+        size_t exit = mesh__exit(trace, h);
+        status = mesh__add_cut(trace, h);
+        trace->seen[h / 3] |= 1;
+        if (!status && trace->parts.part) status = mesh__between(trace, h, mesh__next(h));
+        h = m->twin[exit];
+        if (status || h != MESH_NONE) continue;
+        if (!(trace->how & CONTOUR_CLOSE)) return contour_leave_out(&trace->loops), MESH_OK;
+        ++trace->loops.out->closed;
+        status = mesh__add_cut(trace, exit);
+        for (h = mesh__along(trace, exit); !status; h = mesh__along(trace, h)) {
+            status = mesh__add_end(trace, h);
+            if (!mesh__is_inside(trace, mesh__next(h))) break;
+        }
+    } while (!status && h != begin);
+    if (status) return status;
+    return contour_close(&trace->loops) ? MESH_OK : mesh__no_memory(trace->error, m->name);
+}
+
+/* Follows a boundary that lies inside as a whole. */
+static inline int mesh__follow_boundary(mesh__trace *trace, size_t begin)
+{
+    size_t h = begin;
+    int status = MESH_OK;
+    do {
+        status = mesh__add_end(trace, h);
+        h = mesh__along(trace, h);
+    } while (!status && h != begin);
+    if (!status && ((trace->parts.part && !contour_between(&trace->loops, trace->parts.part[h], CONTOUR_NONE)) ||
+                    !contour_close(&trace->loops)))
+        status = mesh__no_memory(trace->error, trace->m->name);
+    return status;
+}
+
+/* All curves: those from the boundary first, then the rest closes. */
+static inline int mesh__follow_all(mesh__trace *trace)
+{
+    const mesh *m = trace->m;
+    size_t t, h;
+    int status = MESH_OK;
+    for (t = 0; !status && t < m->triangles; ++t) {
+        const uint32_t entry = trace->seen[t] & 1 ? MESH_NONE : mesh__entry(trace, t);
+        if (entry != MESH_NONE && m->twin[entry] == MESH_NONE) status = mesh__follow(trace, entry);
     }
-    if (!keep) return ++trace->loops->open, MESH_OK;
-    return mesh__close(trace, first);
+    for (t = 0; !status && t < m->triangles; ++t) {
+        const uint32_t entry = trace->seen[t] & 1 ? MESH_NONE : mesh__entry(trace, t);
+        if (entry != MESH_NONE) status = mesh__follow(trace, entry);
+    }
+    for (h = 0; !status && (trace->how & CONTOUR_CLOSE) && h < 3 * m->triangles; ++h)
+        if (m->twin[h] == MESH_NONE && !(trace->seen[h / 3] & 2 << h % 3) && mesh__is_inside(trace, h) &&
+            mesh__is_inside(trace, mesh__next(h)))
+            status = mesh__follow_boundary(trace, h);
+    return status;
 }
 
-/* Turns the loops round. */
-static inline void mesh__reverse(mesh_loops *loops)
+/* Corners of a triangle on the same side of the level are one part, and so are those of its neighbour at the same
+   vertices. */
+static inline int mesh__part(mesh__trace *trace)
 {
-    size_t k, i, j;
-    int c;
-    for (k = 0; k < loops->loops; ++k)
-        /* NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): mesh__close wrote it with the loop */
-        for (i = loops->start[k], j = loops->start[k + 1] - 1; i < j; ++i, --j)
-            for (c = 0; c < 3; ++c) {
-                double *x = loops->corner + c, *n = loops->normal + c, swap = x[3 * i];
-                x[3 * i] = x[3 * j], x[3 * j] = swap;
-                swap = n[3 * i], n[3 * i] = n[3 * j], n[3 * j] = swap;
-            }
+    const mesh *m = trace->m;
+    size_t h, next;
+    if (!contour_parts_begin(&trace->parts, 3 * m->triangles)) return mesh__no_memory(trace->error, m->name);
+    for (h = 0; h < 3 * m->triangles; ++h) {
+        next = mesh__next(h);
+        if (mesh__is_inside(trace, h) == mesh__is_inside(trace, next)) contour_unite(trace->parts.part, h, next);
+        if (m->twin[h] < h) { /* which leaves the vertex that h leads to */
+            contour_unite(trace->parts.part, h, mesh__next(m->twin[h]));
+            contour_unite(trace->parts.part, next, m->twin[h]);
+        }
+    }
+    return contour_number(&trace->parts) ? MESH_OK : mesh__no_memory(trace->error, m->name);
+}
+
+/* The area of the inside, and those of all parts. */
+static inline void mesh__sum_areas(mesh__trace *trace)
+{
+    const mesh *m = trace->m;
+    double sum[2] = {0, 0}, f[3], n[3], share, area;
+    size_t t, h;
+    for (t = 0; t < m->triangles; ++t) {
+        for (h = 0; h < 3; ++h) f[h] = trace->field[m->triangle[3 * t + h]];
+        share = mesh__share_below(f, trace->level);
+        if (trace->how & CONTOUR_ABOVE) share = 1 - share;
+        mesh__double_area(m, t, n);
+        area = mesh__length(n) / 2;
+        contour_sum(sum, area * share);
+        for (h = 3 * t; trace->parts.part && h < 3 * t + 3; ++h) { /* of corners on one side only the last */
+            if (h % 3 < 2 && mesh__is_inside(trace, h) == mesh__is_inside(trace, 3 * t + 2)) continue;
+            if (h % 3 < 1 && mesh__is_inside(trace, h) == mesh__is_inside(trace, h + 1)) continue;
+            trace->parts.area[trace->parts.part[h]] +=
+                area *
+                (mesh__is_inside(trace, h) == (trace->is_above == (trace->how & CONTOUR_ABOVE)) ? share : 1 - share);
+        }
+    }
+    trace->loops.out->area = sum[0] + sum[1];
 }
 
 /* Cuts the mesh where the field, linear on each triangle, has the value level.
    m                  after mesh_connect and mesh_normals
    field  m->vertices one finite scalar per vertex
-   inside             MESH_BELOW or MESH_ABOVE: which part is on the left of the loops and has its area measured
-   loops              out: one per component of the curve, each starting in its first triangle; corners on mesh edges,
-                      with the normals of both ends interpolated. Neighbours are more than 1e-12 of the largest
-                      coordinate apart: below that an edge of an outline is rounding noise, without a direction
+   how                MESH_BELOW or MESH_ABOVE: which part is on the left of the loops and has its area measured; plus
+                      CONTOUR_CLOSE, plus CONTOUR_PARTS, as you like
+   loops              out: one per component of the curve; those that were closed along the boundary come first, and
+                      boundaries without a curve last. Corners on mesh edges, with the normals of both ends
+                      interpolated. Neighbours are more than 1e-12 of the largest coordinate apart: below that an edge
+                      of an outline is rounding noise, without a direction
    Errors: BAD_ARGUMENT, NOT_FINITE, NO_NORMAL, NO_MEMORY; loops is then empty. Cost: O(vertices + triangles). */
-static inline int mesh_level_set(const mesh *m, const double *field, double level, int inside, mesh_loops *loops,
+static inline int mesh_level_set(const mesh *m, const double *field, double level, int how, mesh_loops *loops,
                                  mesh_error *error)
 {
     mesh__trace trace;
-    double sum[2] = {0, 0}, largest = 0;
-    size_t t, v;
+    double largest = 0;
+    size_t v;
     int status = MESH_OK;
     memset(loops, 0, sizeof *loops);
     memset(&trace, 0, sizeof trace);
-    if (!m->twin || !m->normal || (inside != MESH_BELOW && inside != MESH_ABOVE))
+    if (!m->twin || !m->normal || (how & ~(CONTOUR_ABOVE | CONTOUR_CLOSE | CONTOUR_PARTS)))
         return mesh__fail(error, MESH_BAD_ARGUMENT, m->name, 0, "a level set needs mesh_connect and mesh_normals");
     for (v = 0; v < m->vertices; ++v)
         if (!(fabs(field[v]) <= DBL_MAX))
@@ -879,37 +916,25 @@ static inline int mesh_level_set(const mesh *m, const double *field, double leve
     trace.m = m;
     trace.field = field;
     trace.level = level;
-    trace.same = 1e-12 * largest;
-    trace.loops = loops;
+    trace.how = how;
+    trace.is_above = how & CONTOUR_CLOSE ? how & CONTOUR_ABOVE : 0;
     trace.error = error;
     trace.seen = (unsigned char *)calloc(m->triangles + 1, 1);
-    loops->start = (size_t *)mesh__grow(NULL, 0, &trace.start_room, sizeof *loops->start);
-    if (!trace.seen || !loops->start)
+    if (!contour_trace_begin(&trace.loops, loops, 1e-12 * largest) || !trace.seen)
         status = mesh__no_memory(error, m->name);
-    else
-        loops->start[0] = 0;
-    for (t = 0; !status && t < m->triangles; ++t) {
-        const uint32_t *corner = m->triangle + 3 * t, rise = mesh__rise(&trace, t);
-        double f[3], n[3], share;
-        int k;
-        for (k = 0; k < 3; ++k) f[k] = field[corner[k]];
-        share = mesh__share_below(f, level);
-        mesh__double_area(m, t, n);
-        mesh__add(sum, mesh__length(n) / 2 * (inside == MESH_BELOW ? share : 1 - share));
-        if (rise != MESH_NONE && m->twin[rise] == MESH_NONE) status = mesh__follow(&trace, rise, 0);
+    if (!status && (how & CONTOUR_PARTS)) status = mesh__part(&trace);
+    if (!status) {
+        mesh__sum_areas(&trace);
+        status = mesh__follow_all(&trace);
     }
-    for (t = 0; !status && t < m->triangles; ++t) { /* after the curves from the boundary the rest closes */
-        const uint32_t rise = trace.seen[t] ? MESH_NONE : mesh__rise(&trace, t);
-        if (rise != MESH_NONE) status = mesh__follow(&trace, rise, 1);
-    }
+    for (v = 0; !status && trace.is_above != (how & CONTOUR_ABOVE) && v < loops->loops; ++v) contour_reverse(loops, v);
+    if (!status && (how & CONTOUR_PARTS) && !contour_enclose(&trace.loops, &trace.parts))
+        status = mesh__no_memory(error, m->name);
     free(trace.seen);
-    if (status) {
-        mesh_free_loops(loops);
-        return status;
-    }
-    loops->area = sum[0] + sum[1];
-    if (inside == MESH_ABOVE) mesh__reverse(loops);
-    return MESH_OK;
+    contour_parts_free(&trace.parts);
+    contour_trace_end(&trace.loops);
+    if (status) mesh_free_loops(loops);
+    return status;
 }
 
 /* --- refined spheres ---------------------------------------------------------------------------------------------- */

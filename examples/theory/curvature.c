@@ -61,7 +61,7 @@ static double size_for(double s, size_t corners, double depth, double *corner)
    was refused. */
 static double shake(const double *corner, size_t corners, const double *mu)
 {
-    double moved[3 * CORNERS], now[RANKS + 1], most = 0;
+    double moved[3 * CORNERS] = {0}, now[RANKS + 1], most = 0;
     surfmink_outline outline = surfmink_sphere(moved, corners, 1);
     unsigned long state = 1;
     size_t i;

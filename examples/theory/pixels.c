@@ -168,8 +168,8 @@ static void tell_lengths(void)
 
 int main(int argc, char **argv)
 {
-    plot_axes disc = {50, 236, 300, 190, {-0.15, 4.15}, {0, 1}, {0, 0}};
-    plot_axes hexagon = {420, 236, 300, 190, {-0.15, 4.15}, {0, 1}, {0, 0}};
+    plot_axes disc = {50, 236, 300, 190, {-0.15, 4.15}, {-0.04, 1.04}, {0, 0}};
+    plot_axes hexagon = {420, 236, 300, 190, {-0.15, 4.15}, {-0.04, 1.04}, {0, 0}};
     char name[32];
     plot p;
     int k;

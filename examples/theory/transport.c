@@ -79,7 +79,7 @@ static void draw_compass(plot *p, double x, double y, double size, int count, co
 /* Regular triangles from tiny to almost a hemisphere, by the angle of their corners. */
 static void draw_sizes(plot *p, double left, double top)
 {
-    plot_axes axes = {0, 0, 230, 180, {60, 180}, {0, 1}, {0, 0}};
+    plot_axes axes = {0, 0, 230, 180, {60, 180}, {-0.06, 1.06}, {0, 0}}; /* curves at 0 and 1 clear of the frame */
     double radius = 1, corner[9], length[3], turning[3], a[RANKS + 1], b[RANKS + 1];
     static double angle[SIZES], corrected[2][SIZES], parallel[2][SIZES];
     surfmink_surface sphere = surfmink_sphere_surface(&radius);

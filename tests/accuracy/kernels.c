@@ -39,6 +39,8 @@ typedef __float128 quad;
 
 /* --- instances: the functions of each, as loops over arrays ------------------------------------------------------- */
 
+#define PI 3.14159265358979323846
+
 enum function { ATAN2, TURNS, ARC_ANGLE, CIS, FUNCTIONS };
 
 /* atan2: y, x -> angle; turns: t -> re, im; arc_angle: chord, square -> angle; cis, scalar only: angle -> re, im */
@@ -305,9 +307,9 @@ static void try_cis(void)
     const long grid = 1L << 20, near = 1L << 18;
     long i;
     on_trial = CIS;
-    for (i = -grid; i < grid; ++i) point(4 * M_PI * ((double)i + between(&luck, 0, 1)) / (double)grid, 0);
+    for (i = -grid; i < grid; ++i) point(4 * PI * ((double)i + between(&luck, 0, 1)) / (double)grid, 0);
     for (i = 0; i < near; ++i) {
-        point(M_PI_4 * (double)(chance_bits(&luck) % 31) - 12 + signed_magnitude(&luck, 1e-18, 0.0625), 0);
+        point(PI / 4 * (double)(chance_bits(&luck) % 31) - 12 + signed_magnitude(&luck, 1e-18, 0.0625), 0);
         point(signed_magnitude(&luck, 1e-300, 12), 0);
     }
     flush_points();
@@ -353,7 +355,7 @@ static int check_exact(void)
         instance_of[instance].function[ATAN2](in[0], in[1], out[0], out[1]);
         for (i = 0; i < count; ++i) {
             if (out[0][i] == (double)atan2q(in[0][i], in[1][i])) continue;
-            if (instance == 0 && in[0][i] == 0 && out[0][i] == M_PI) continue; /* the scalar one knows no -0 */
+            if (instance == 0 && in[0][i] == 0 && out[0][i] == PI) continue; /* the scalar one knows no -0 */
             if (!failed++)
                 printf("%s: atan2(%a, %a) is %a\n", instance_of[instance].name, in[0][i], in[1][i], out[0][i]);
         }

@@ -4,6 +4,7 @@ import math
 import subprocess
 import sys
 import tempfile
+import timeit
 import traceback
 
 sys.dont_write_bytecode = True
@@ -89,7 +90,7 @@ def arrays_as_people_have_them_are_measured_or_refused_by_name():
     raises(ValueError, "normals is not like", surfmink.embedded, [octant], [octant[:2]])
     masked = np.ma.array(square, mask=[[0, 0], [0, 1], [0, 0], [0, 0]])
     for given in (masked, [square, masked]):
-        raises(TypeError, "masked array|mask.any(axis=1)", surfmink.plane, given)
+        raises(ValueError, "masked entries", surfmink.plane, given)
     near(surfmink.plane(masked[~masked.mask.any(axis=1)].data).area, .5)
 
 
@@ -197,6 +198,34 @@ def arrays_that_would_have_to_be_copied_are_refused_with_the_cure():
     raises(TypeError, "offset|float64", surfmink.plane, square, np.array([0., 4]))
     raises(ValueError, "offset|ascontiguousarray", surfmink.plane, square, np.array([4, 0])[::-1])
     raises(ValueError, "offset|(1, 2)", surfmink.plane, square, np.array([[0, 4]]))
+
+
+@theorem
+def masked_corners_are_refused_and_never_measured():
+    masked = np.ma.masked_array(square, mask=[[0, 0], [0, 0], [1, 1], [0, 0]])
+    raises(ValueError, "corner has masked entries|getdata(corner)", surfmink.plane, masked)
+    raises(ValueError, "normal has masked entries", surfmink.embedded, upright[0],
+           np.ma.masked_values(upright[1], 0))
+    raises(ValueError, "outlines[1] has masked entries", surfmink.pack, [square, masked])
+    near(surfmink.plane(np.ma.masked_array(square)).mu[4], 1)  # nothing is masked
+    near(surfmink.plane(np.ma.getdata(masked)).mu[4], 1)
+
+
+@theorem
+def a_list_of_outlines_is_sent_to_pack():
+    raises(ValueError, "surfmink.pack", surfmink.curve_plane, [square, square[:3]])
+    raises(ValueError, "surfmink.pack", surfmink.plane, [square, square])
+    corner, offset = surfmink.pack([square, [[0, 0], [2, 0], [0, 2]], square[:3].astype(int)])
+    assert list(offset) == [0, 4, 7, 10] and corner.dtype == float
+    near(surfmink.plane(corner, offset).L, [4, 4 + math.sqrt(8), 2 + math.sqrt(2)])
+
+
+@theorem
+def many_outlines_cost_less_in_one_call():
+    corner, offset = surfmink.pack(1000 * [square])
+    one = min(timeit.repeat(lambda: surfmink.plane(square), number=50, repeat=5)) / 50
+    many = min(timeit.repeat(lambda: surfmink.plane(corner, offset), number=1, repeat=5)) / 1000
+    assert many < one / 5, "%.1f us an outline alone, %.1f in a batch" % (1e6 * one, 1e6 * many)
 
 
 @theorem

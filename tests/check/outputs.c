@@ -186,11 +186,13 @@ static void note(int what, double off)
 
 static void compare(const double *got, const double *want)
 {
-    double length = want[1], turning = want[2], amplified = 1 + want[4], off;
-    if (doubles) amplified = pow(1 + want[4] + fabs(want[3]) / turning, 2);
+    double length = want[1], turning = want[2], c = want[4] + fabs(want[3]) / turning, amplified = 1 + c + c * c / 10;
+    double area = fabs(want[0]) + 1e-3 * length * length, off;
     int p;
+    if (doubles) amplified = pow(1 + c, 2);
+    if (doubles && want[3] != 0) area += fabs(want[0] / want[3]); /* the square of the radius */
     note(0, fabs(got[1] / length - 1) / amplified);
-    note(1, fabs(got[0] - want[0]) / (fabs(want[0]) + 1e-3 * length * length) / amplified);
+    note(1, fabs(got[0] - want[0]) / area / amplified);
     note(2, fabs(got[2] - turning) / amplified);
     for (p = 0; p < RANK; ++p) {
         note(3, fabs(got[5 + p] - want[5 + p]) / amplified);

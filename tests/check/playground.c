@@ -1,8 +1,9 @@
 /* playground.c - what examples/playground/playground.c computes, natively and with the libm of this machine.
    cc -I. tests/check/playground.c -lm
 
-     ./a.out < outlines      one line an outline: kind base shape[3] n corners[3 n]. Prints its status, the results in
-                             the order of the struct, then how many points, the points and their normals
+     ./a.out < outlines      one line an outline: kind base shape[3] n corners[3 n] and, of kind EMBEDDED, normals[3 n].
+                             Prints its status, the results in the order of the struct, then how many points, the
+                             points and their normals
      ./a.out --functions     how far sin, cos, atan2 and hypot of freestanding/math.h are off, in units in the last
                              place, against long double; exit status 1 if above what that file says */
 #define fabs      own_fabs
@@ -112,6 +113,8 @@ int main(int argc, char **argv)
         if (n > playground_corners()) return 1;
         for (i = 0; i < 3 * n; ++i)
             if (scanf("%lf", playground_corner() + i) != 1) return 1;
+        for (i = 0; i < 3 * n && kind == EMBEDDED; ++i)
+            if (scanf("%lf", playground_given() + i) != 1) return 1;
         status = playground_measure(kind, n, base);
         printf("%s", playground_status_name(status));
         print_numbers(playground_result(), sizeof result / sizeof(double));

@@ -48,11 +48,13 @@ const SHAPES = {
     [1, 0.2, 0],
     [1, 0.75, 0],
   ],
+  embedded: [[1, 1, 1]],
 };
 
 // A regular polygon anywhere, its corners pushed about; now and then clockwise, or two of its corners exchanged, or the
 // same, or opposite.
 function randomOutline(kind, i) {
+  if (kind === "embedded") return withNormals(randomOutline("ellipsoid", i));
   const shape = SHAPES[kind][i % SHAPES[kind].length];
   const outline = { kind, shape, base: 0, corners: [] };
   const n = 3 + Math.floor(random() ** 2 * 12),
@@ -87,6 +89,14 @@ function randomOutline(kind, i) {
   return outline;
 }
 
+// The corners of an ellipsoid, stretched and moved away, with normals of any length that are a little off.
+function withNormals(outline) {
+  const size = 10 ** between(-3, 6),
+    normals = outline.corners.map((x, k) => (x / outline.shape[k % 3] ** 2) * 3 + between(-0.1, 0.1));
+  const corners = outline.corners.map((x, k) => x * size + 2 * size * (k % 3));
+  return { ...outline, kind: "embedded", shape: [1, 1, 1], corners, normals };
+}
+
 for (const kind of KINDS) {
   const outlines = Array.from({ length: 200 }, (_, i) => randomOutline(kind, i));
   const found = outlines.map((outline) => run.measure(outline));
@@ -96,7 +106,7 @@ for (const kind of KINDS) {
 
   // the same source, natively
   const input = outlines.map((o) =>
-    [KINDS.indexOf(o.kind), o.base, ...o.shape, o.corners.length / 3, ...o.corners].join(" "),
+    [KINDS.indexOf(o.kind), o.base, ...o.shape, o.corners.length / 3, ...o.corners, ...(o.normals || [])].join(" "),
   );
   const lines = execFileSync(native, { input: input.join("\n") + "\n", maxBuffer: 1e9, encoding: "utf8" })
     .trim()

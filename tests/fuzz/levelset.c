@@ -1,4 +1,4 @@
-/* levelset.c - fuzzes the command levelset: its options, meshes, fields, and the table that comes out. */
+/* levelset.c - fuzzes the command levelset: its options, meshes, fields, images, charts, and the table that comes out. */
 #define WORLD_MEMORY 1000000 /* --subdivide: 4 times as much each time, and it takes its time */
 #include "world.h"
 
