@@ -214,7 +214,7 @@ def masked_corners_are_refused_and_never_measured():
 @theorem
 def a_list_of_outlines_is_sent_to_pack():
     raises(ValueError, "surfmink.pack", surfmink.curve_plane, [square, square[:3]])
-    raises(ValueError, "surfmink.pack", surfmink.plane, [square, square])
+    raises(ValueError, "corner", surfmink.curve_plane, [square, square])
     corner, offset = surfmink.pack([square, [[0, 0], [2, 0], [0, 2]], square[:3].astype(int)])
     assert list(offset) == [0, 4, 7, 10] and corner.dtype == float
     near(surfmink.plane(corner, offset).L, [4, 4 + math.sqrt(8), 2 + math.sqrt(2)])
