@@ -110,9 +110,10 @@ static void write_polygon(run *r, polygon *p, const measure *m)
     const options *o = &r->options;
     write_row(stdout, o, &r->powers, o->json ? JSON_OBJECT : VALUES, p->surface, p->id, m);
     check_standard_output();
-    if (m->status == SURFMINK_OK)
+    if (m->status == SURFMINK_OK) {
         ++r->measured;
-    else {
+        warn_about(r->name, m, o);
+    } else {
         ++r->refused;
         report_refusal(r, m);
     }
@@ -203,6 +204,7 @@ static void add_picks(run *r, const char *option, const quantities *list)
 static void begin_run(run *r, int argc, char **argv)
 {
     memset(r, 0, sizeof *r);
+    memset(&warnings, 0, sizeof warnings);
     parse_options(&r->options, argc, argv);
     add_picks(r, "color-by", &r->options.color_by);
     add_picks(r, "histogram-of", &r->options.histogram_of);
@@ -219,6 +221,14 @@ static void begin_run(run *r, int argc, char **argv)
     r->started = r->shown = time(NULL);
 }
 
+/* Warnings that came again were not told again. One alone is not counted. */
+static void tell_counts(const run *r)
+{
+    if (warnings.all == 0 || r->refused + warnings.all == 1) return;
+    remark(COMMAND_NAME ": %lu measured, %lu refused; %lu warning%s", r->measured, r->refused, warnings.all,
+           warnings.all > 1 ? "s, of which the first of each kind are told" : "");
+}
+
 static void finish_run(run *r)
 {
     held_back.write = NULL;
@@ -226,6 +236,7 @@ static void finish_run(run *r)
     wipe_progress();
     fflush(stdout);
     check_standard_output();
+    tell_counts(r);
     if (r->options.summary) write_summary(&r->summary, r->options.max_rank);
     if (r->options.svg) write_map(&r->picture, &r->options);
     if (r->options.histogram) write_histograms(&r->chart, &r->options);

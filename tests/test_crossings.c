@@ -183,10 +183,18 @@ THEOREM(normals_that_fold_over_are_unknown)
 {
     static const double corner[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
     static const double flat[12] = {0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4},
-                        folded[12] = {0, 0, 1, 0, 0, 1, 9, 0, 1, 0, 0, 1};
+                        folded[12] = {0, 0, 1, 0, 0, 1, 9, 0, 1, 0, 0, 1},
+                        bow_tie[12] = {0, 0, 0, 2, 0, 0, 0, 2, 0, 1, 2, 0},
+                        opposite[12] = {0, 1, 1, 0, 1, -1, 0, -1, 1, 0, -1, -1};
     size_t pair[2];
     CHECK_EQUAL(crossings_embedded(corner, flat, 4, pair), 0);
     CHECK_EQUAL(crossings_embedded(corner, folded, 4, pair), CROSSINGS_UNKNOWN);
+    CHECK_EQUAL(crossings_embedded(bow_tie, flat, 4, pair), 1);
+    CHECK_EQUAL(crossings_embedded(bow_tie, folded, 4, pair), CROSSINGS_SEEN);
+    CHECK_EQUAL(pair[0], 1);
+    CHECK_EQUAL(pair[1], 3);
+    CHECK_EQUAL(crossings_embedded(corner, opposite, 4, pair), CROSSINGS_UNKNOWN);
+    CHECK_EQUAL(crossings_embedded(bow_tie, opposite, 4, pair), CROSSINGS_SEEN);
 }
 
 int main(void)

@@ -22,7 +22,7 @@
      sphere    great-circle arcs: four triple products, of differences, so that small cells keep their digits. Where
                rounding decides, they touch, which is not crossing
      embedded  seen along the mean normal, where all normals are within 60 degrees of it: beyond that the view may fold
-               over what is not folded
+               over what is not folded, and what crosses there may cross or not
 
    Coordinates between 1e-140 and 1e140, or 0. Scratch comes from malloc. */
 #ifndef SURFMINK_CROSSINGS_H
@@ -34,8 +34,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What the functions return besides 0, no edges cross, and 1, two do: pair. */
-enum crossings_result { CROSSINGS_NO_MEMORY = -1, CROSSINGS_UNKNOWN = -2 /* embedded: normals beyond 60 degrees */ };
+/* What the functions return besides 0, no edges cross, and 1, two do: pair. The last two: embedded, normals are more than
+   60 degrees from their mean. */
+enum crossings_result { CROSSINGS_NO_MEMORY = -1, CROSSINGS_UNKNOWN = -2, CROSSINGS_SEEN = 2 };
 
 /* --- the sign of a determinant ------------------------------------------------------------------------------------ */
 
@@ -257,7 +258,7 @@ static inline int crossings__is_convex(const crossings__outline *o)
 }
 
 /* Outlines of the plane: corner has n times x y. 1 and the numbers of two edges that cross (edge i joins corners i and
-   i + 1), or 0. pair is untouched unless the result is 1. */
+   i + 1), or 0. pair is untouched unless the result is positive. */
 static inline int crossings_plane(const double *corner, size_t n, size_t pair[2])
 {
     crossings__outline o;
@@ -291,36 +292,62 @@ static inline int crossings_sphere(const double *corner, size_t n, size_t pair[2
     return found;
 }
 
-/* Outlines of chords with normals at their corners, 3 each. CROSSINGS_UNKNOWN if a normal is more than 60 degrees from
-   the mean of all. */
-static inline int crossings_embedded(const double *corner, const double *normal, size_t n, size_t pair[2])
+/* The direction of the mean of the unit normals: 2 if all of them are within 60 degrees of it; 1 if they cancel less than
+   normals do that lie on a cone of 60 degrees about it; else 0. */
+static inline int crossings__mean_normal(const double *normal, size_t n, double mean[3])
 {
-    double mean[3] = {0, 0, 0}, across[3] = {0, 0, 0}, up[3], length, *flat;
-    size_t i, k, least = 0;
-    int found;
-    if (!normal) return CROSSINGS_UNKNOWN;
+    double length, cosine = 0.5;
+    size_t i, k;
+    mean[0] = mean[1] = mean[2] = 0;
     for (i = 0; i < n; ++i) {
-        length = sqrt(normal[3 * i] * normal[3 * i] + normal[3 * i + 1] * normal[3 * i + 1] +
-                      normal[3 * i + 2] * normal[3 * i + 2]);
-        for (k = 0; k < 3 && length > 0; ++k) mean[k] += normal[3 * i + k] / length;
+        const double *m = normal + 3 * i;
+        length = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+        for (k = 0; k < 3 && length > 0; ++k) mean[k] += m[k] / length;
     }
     length = sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]);
-    if (!(length > 0)) return CROSSINGS_UNKNOWN;
+    if (!(length > cosine * (double)n)) return 0;
     for (k = 0; k < 3; ++k) mean[k] /= length;
     for (i = 0; i < n; ++i) {
         const double *m = normal + 3 * i;
         double size = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-        if (!(m[0] * mean[0] + m[1] * mean[1] + m[2] * mean[2] >= 0.5 * size)) return CROSSINGS_UNKNOWN;
+        if (!(m[0] * mean[0] + m[1] * mean[1] + m[2] * mean[2] >= cosine * size)) return 1;
     }
+    return 2;
+}
+
+/* The direction along which most of the area is seen; 0 if there is none. */
+static inline int crossings__area_vector(const double *corner, size_t n, double area[3])
+{
+    double a[3], b[3], length;
+    size_t i, k;
+    area[0] = area[1] = area[2] = 0;
+    for (i = 1; i + 1 < n; ++i) {
+        for (k = 0; k < 3; ++k) a[k] = corner[3 * i + k] - corner[k], b[k] = corner[3 * i + 3 + k] - corner[k];
+        for (k = 0; k < 3; ++k) area[k] += a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
+    length = sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]);
+    for (k = 0; k < 3 && length > 0; ++k) area[k] /= length;
+    return length > 0;
+}
+
+/* Outlines of chords with normals at their corners, 3 each. If a normal is more than 60 degrees from the mean of all,
+   nothing is certain: CROSSINGS_SEEN, with the pair, if edges cross as seen along the mean or, where the normals nearly
+   cancel, along the area vector; else CROSSINGS_UNKNOWN. */
+static inline int crossings_embedded(const double *corner, const double *normal, size_t n, size_t pair[2])
+{
+    double view[3], across[3] = {0, 0, 0}, up[3], *flat;
+    size_t i, k, least = 0;
+    int found, agree = normal ? crossings__mean_normal(normal, n, view) : 0;
+    if (!agree && !crossings__area_vector(corner, n, view)) return CROSSINGS_UNKNOWN;
     for (k = 1; k < 3; ++k)
-        if (fabs(mean[k]) < fabs(mean[least])) least = k;
+        if (fabs(view[k]) < fabs(view[least])) least = k;
     across[least] = 1;
-    for (k = 0; k < 3; ++k) across[k] -= (k == least ? mean[least] : 0) * mean[least];
+    for (k = 0; k < 3; ++k) across[k] -= (k == least ? view[least] : 0) * view[least];
     for (k = 0; k < 3; ++k)
-        if (k != least) across[k] = -mean[least] * mean[k];
-    up[0] = mean[1] * across[2] - mean[2] * across[1];
-    up[1] = mean[2] * across[0] - mean[0] * across[2];
-    up[2] = mean[0] * across[1] - mean[1] * across[0];
+        if (k != least) across[k] = -view[least] * view[k];
+    up[0] = view[1] * across[2] - view[2] * across[1];
+    up[1] = view[2] * across[0] - view[0] * across[2];
+    up[2] = view[0] * across[1] - view[1] * across[0];
     flat = (double *)malloc((2 * n + 1) * sizeof *flat);
     if (!flat) return CROSSINGS_NO_MEMORY;
     for (i = 0; i < n; ++i) {
@@ -331,7 +358,8 @@ static inline int crossings_embedded(const double *corner, const double *normal,
     }
     found = crossings_plane(flat, n, pair);
     free(flat);
-    return found;
+    if (agree == 2 || found < 0) return found;
+    return found ? CROSSINGS_SEEN : CROSSINGS_UNKNOWN;
 }
 
 #endif

@@ -20,13 +20,13 @@ enum column {
 };
 
 /* Names in small letters, what is not a letter or digit left out; the first is the one that messages use. */
-static const char *const column_name[COLUMNS][6] = {{"k", "vertexindex", "vertexpartindex", NULL},
-                                                    {"x", "col", "column", "axis1", "positionx", NULL},
-                                                    {"y", "positiony", NULL},
-                                                    {"z", "positionz", NULL},
-                                                    {"nx", "normalx", NULL},
-                                                    {"ny", "normaly", NULL},
-                                                    {"nz", "normalz", NULL},
+static const char *const column_name[COLUMNS][8] = {{"k", "vertexindex", "vertexpartindex", NULL},
+                                                    {"x", "col", "column", "axis1", "positionx", "points0", NULL},
+                                                    {"y", "positiony", "points1", NULL},
+                                                    {"z", "positionz", "points2", NULL},
+                                                    {"nx", "normalx", "normals0", NULL},
+                                                    {"ny", "normaly", "normals1", NULL},
+                                                    {"nz", "normalz", "normals2", NULL},
                                                     {"lon", "longitude", "lng", "long", "ra", NULL},
                                                     {"lat", "latitude", "dec", NULL},
                                                     {"row", "axis0", NULL}};
@@ -42,6 +42,8 @@ static const char *const measured_word[] = {"area",   "mean",   "perimeter", "le
                                             "sd",     "min",    "max",       "median",   "intensity", "type",
                                             "value",  "radius", "angle",     "distance", "score",     "width",
                                             "height", "color",  "colour",    "level",    NULL};
+
+static const char *const geometry_word[] = {"wkt", "geometry", "geom", "wkb", NULL};
 
 /* What the numbers of a line are, by surface. */
 typedef struct layout {
@@ -66,7 +68,7 @@ typedef struct column_list {
     size_t place[COLUMNS]; /* field of each known column; nowhere if there is none */
     size_t id[MOST_IDS];   /* fields that make the id */
     int ids;
-    size_t unnamed; /* a first column without a name, which may be an id; else nowhere */
+    size_t unnamed; /* a first column without a name, or an index: it may be an id; else nowhere */
     const layout *layout;
 } column_list;
 
@@ -170,12 +172,23 @@ static void take_ids(column_list *c, const lines *in, const char *list)
     }
 }
 
-/* Without --id: all whose names say so; else the first other one, unless it is measured. */
+/* Without --id: all whose names say so; else the first other one, unless it is measured. A second order is no id, and an
+   index alone may count rows. */
 static void guess_ids(column_list *c)
 {
     size_t i;
+    char simple[32];
     for (i = 0; i < c->names; ++i)
-        if (!is_known(c, i) && has_word(c->name[i], id_word) && !has_word(c->name[i], measured_word)) add_id(c, i);
+        if (!is_known(c, i) && !is_named(c->name[i], COLUMN_K, 1) && has_word(c->name[i], id_word) &&
+            !has_word(c->name[i], measured_word))
+            add_id(c, i);
+    if (c->ids == 1) {
+        simplify_name(c->name[c->id[0]], simple, sizeof simple);
+        if (strcmp(simple, "index") != 0) return;
+        c->unnamed = c->id[0];
+        c->ids = 0;
+        return;
+    }
     for (i = 0; i < c->names && c->ids == 0; ++i)
         if (!is_known(c, i) && c->name[i][0] && !has_word(c->name[i], measured_word)) add_id(c, i);
     if (c->ids == 0 && c->names > 0 && c->name[0][0] == '\0') c->unnamed = 0;
@@ -252,6 +265,12 @@ static const layout *layout_from_columns(const column_list *c, const lines *in, 
     if (lonlat && xy) malformed(in, "columns lon lat and x y: choose with --surface");
     if (!lonlat && !xy) {
         list_names(c, names, sizeof names);
+        for (i = 0; i < c->names; ++i)
+            if (has_word(c->name[i], geometry_word))
+                malformed(in,
+                          "column '%s': geometry within a field is not read; save the layer as GeoJSON (QGIS, or "
+                          "ogr2ogr OUT.geojson IN)",
+                          c->name[i]);
         for (i = 0; i < c->names && parse_number(in->powers, c->name[i], &number);) ++i;
         malformed(in, "this line should name the columns: x y, lon lat, x y z or x y z nx ny nz; %s: %s",
                   i == c->names ? "--columns x,y names them where the file has only numbers, as here" : "here they are",

@@ -88,6 +88,34 @@ static void remark(const char *format, ...)
     say(line);
 }
 
+/* Warnings are remarks about what may not be as it was meant. Of each kind only the first one is told; all are counted,
+   and the last line of a run has their number. */
+enum warning {
+    WARN_COLUMN,
+    WARN_AGAIN,
+    WARN_COMMA,
+    WARN_RADIUS,
+    WARN_SPIKE,
+    WARN_CROSSING,
+    WARN_SIDE,
+    WARN_STAIRS,
+    WARN_UNEVEN,
+    WARNINGS
+};
+
+static struct {
+    unsigned long all;
+    int told[WARNINGS];
+} warnings;
+
+/* Counts a warning of this kind; is it the first one, and to be told? */
+static int warns(enum warning kind)
+{
+    if (says_nothing) return 0;
+    ++warnings.all;
+    return !warnings.told[kind]++;
+}
+
 /* One line, and the end. What has been read so far goes out first, so that the two keep their order. */
 static void die(const char *format, ...) COMMAND_PRINTF(1, 2) COMMAND_DIES;
 static void die(const char *format, ...)

@@ -15,6 +15,7 @@
 #include "antimeridian.h"
 #include "json.h"
 #include "polygon.h"
+#include "seen.h"
 
 typedef struct geojson {
     json json;
@@ -27,6 +28,7 @@ typedef struct geojson {
     int on_sphere; /* or lon lat are x y of a plane */
     int id_rank;   /* of the id at hand: the higher, the better */
     size_t features, left_out, next;
+    seen_ids seen;
 } geojson;
 
 /* [[lon, lat], ...] as ring `hole` of the part at hand. */
@@ -130,6 +132,9 @@ static void end_feature(geojson *g)
         die("%s:%lu: no property '%s' in this feature", g->json.in->name, g->json.line, g->id_name);
     if (finish_rings(&g->rings, g->first_of_feature, g->on_sphere))
         remark("%s:%lu: %s: pieces cut at the antimeridian are joined", g->json.in->name, g->json.line,
+               g->ids + g->ids_length);
+    if (!says_nothing && is_seen(&g->seen, g->ids + g->ids_length) && warns(WARN_AGAIN))
+        remark("%s:%lu: id %s comes again: --id takes the ids from another property", g->json.in->name, g->json.line,
                g->ids + g->ids_length);
     g->ids_length += strlen(g->ids + g->ids_length) + 1;
     g->first_of_feature = g->rings.count;
@@ -259,6 +264,7 @@ static void free_geojson(geojson *g)
     free(g->json.text);
     free(g->ids);
     free_rings(&g->rings);
+    free_seen(&g->seen);
 }
 
 #endif

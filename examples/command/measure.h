@@ -13,11 +13,12 @@ typedef struct measure {
     size_t n;           /* corners, as measured */
     const char *id;     /* as long as the batch is */
     unsigned long line; /* of the corner to blame, or of the whole outline; 0: it has none */
-    unsigned long crossing[2]; /* lines of two edges that cross; 0: not known */
-    unsigned long hint_line;   /* of what may be the cause of a refusal; 0: not known */
-    double hint_edge;          /* the cause: an edge so short, of the perimeter; 0: a spike */
-    int reversed;              /* --reverse auto turned it round */
-    int surface;
+    size_t crossing[2]; /* two edges that cross, or if the status is OK seem to; n: not known */
+    unsigned long crossing_line[2];
+    unsigned long hint_line; /* of what may be the cause of a refusal; 0: not known */
+    double hint_edge;        /* the cause: an edge so short, of the perimeter; 0: a spike */
+    int reversed;            /* --reverse auto turned it round */
+    int surface, has_means;  /* has_means: its normals are means over faces */
     double length, turning, area;
     const double *mu;    /* P + 1 */
     const double *theta; /* P + 1 */
@@ -199,7 +200,7 @@ static void measure_range(measures *m, const batch *b, size_t first, size_t end,
         if (b->polygon[i].fault != SURFMINK_OK) m->of.status[i] = b->polygon[i].fault;
 }
 
-/* Outlines of more corners than this are only looked at with --crossings always: 2,000 corners take 0.3 ms. */
+/* Outlines of more corners than this are only looked at with --crossings always. */
 enum { MOST_TO_CROSS = 2000 };
 
 /* Edges that cross: turning and area do not give all of them away. What crosses itself is nothing else, so it is not
@@ -330,7 +331,8 @@ static unsigned long line_to_blame(const polygon *p, size_t bad)
     return bad < p->n ? p->line[bad] : p->first_line;
 }
 
-/* What may be the cause of a refusal by the whole outline: a spike, or an edge that is none. */
+/* What may be the cause of a refusal by the whole outline: a spike, or an edge that is none. A spike in an outline that
+   is measured is a hint, too. */
 static void find_hint(measure *one, const polygon *p)
 {
     size_t at;
@@ -338,11 +340,11 @@ static void find_hint(measure *one, const polygon *p)
     one->hint_edge = 0;
     if (p->n < 3 || p->fault != SURFMINK_OK) return;
     if (one->status != SURFMINK_CLOCKWISE && one->status != SURFMINK_CROSSES_ITSELF &&
-        one->status != SURFMINK_TOO_MUCH_CURVATURE && one->status != SURFMINK_COINCIDENT_CORNERS)
+        one->status != SURFMINK_TOO_MUCH_CURVATURE && one->status != SURFMINK_OK)
         return;
     at = find_spike(p);
-    if (at < p->n && one->status != SURFMINK_COINCIDENT_CORNERS) one->hint_line = p->line[at];
-    if (at < p->n || one->status == SURFMINK_COINCIDENT_CORNERS) return;
+    if (at < p->n) one->hint_line = p->line[at];
+    if (at < p->n || one->status == SURFMINK_OK) return;
     at = find_short_edge(p, &one->hint_edge);
     if (at < p->n) one->hint_line = p->line[at + 1 < p->n ? at + 1 : 0];
 }
@@ -357,10 +359,11 @@ static measure measure_of(measures *m, const batch *b, size_t i, const options *
     one.n = p->n;
     one.id = p->id;
     one.surface = p->surface;
+    one.has_means = p->has_means;
     one.reversed = m->reversed[i];
     for (k = 0; k < 2; ++k) {
-        size_t edge = m->crossing[2 * i + k];
-        one.crossing[k] = edge < p->n ? p->line[edge] : 0;
+        one.crossing[k] = m->crossing[2 * i + k];
+        one.crossing_line[k] = one.crossing[k] < p->n ? p->line[one.crossing[k]] : 0;
     }
     find_hint(&one, p);
     one.line = one.status == SURFMINK_OK ? p->first_line : line_to_blame(p, m->of.bad[i]);

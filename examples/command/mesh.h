@@ -64,6 +64,7 @@ static int next_of_mesh(mesh *m, polygon *p)
     ++m->next;
     snprintf(number, sizeof number, "%lu", (unsigned long)face);
     begin_polygon(p, m->surface, number, f->line[face]);
+    p->has_means = m->mean != NULL;
     for (i = f->begin[face]; i < f->begin[face + 1]; ++i) {
         size_t v = f->corner[i];
         const double *normal = m->mean ? m->mean + 3 * v : f->normals ? mesh_file_normal(f, i) : NULL;

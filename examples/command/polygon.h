@@ -39,6 +39,7 @@ typedef struct polygon {
     size_t n, room;
     double *corner;      /* PLANE: x y, else x y z of each corner */
     double *normal;      /* EMBEDDED: of each corner */
+    int has_means;       /* they are means over faces */
     unsigned long *line; /* where each corner stands in its file */
     double *order;       /* the k of each corner; used if has_order */
     size_t order_room;
@@ -66,6 +67,7 @@ static void begin_polygon(polygon *p, int surface, const char *id, unsigned long
     p->surface = surface;
     p->n = 0;
     p->has_order = 0;
+    p->has_means = 0;
     p->first_line = line;
     p->fault = SURFMINK_OK;
 }

@@ -33,7 +33,13 @@ static int coincide(const polygon *p, size_t i, size_t j)
 {
     size_t k, stride = stride_of(p->surface);
     const double *a = p->corner + i * stride, *b = p->corner + j * stride;
-    if (p->surface == SPHERE) return distance(p, i, j) <= 0;
+    if (p->surface == SPHERE) {
+        for (k = 0; k < 3; ++k) { /* most are told apart by the cross product, whose two terms are far from equal */
+            double u = a[k] * b[(k + 1) % 3], v = a[(k + 1) % 3] * b[k];
+            if (fabs(u - v) > 1e-12 * (fabs(u) + fabs(v))) return 0;
+        }
+        return distance(p, i, j) <= 0;
+    }
     for (k = 0; k < stride; ++k)
         if (a[k] != b[k]) return 0;
     return 1;
@@ -273,21 +279,16 @@ static int is_uneven(const polygon *p)
     return most > 3 * least;
 }
 
-/* Once a run, for the first outline that is so. */
+/* Told of the first outline that is so. */
 static void tell_pixels(const polygon *p, const options *o)
 {
-    static int told_stairs, told_uneven;
-    if (!told_stairs && !o->smooth && is_staircase(p)) {
-        told_stairs = 1;
+    if (!o->smooth && is_staircase(p) && warns(WARN_STAIRS))
         remark("%s:%lu: %s: all edges run along the axes, as those of pixels do, and mu_4 says just that; --resample 1 "
                "--smooth 4 (1: the size of a pixel), or trace a grey image",
                current_file, p->first_line, p->id);
-    }
-    if (!told_uneven && o->smooth && !(o->resample > 0) && is_uneven(p)) {
-        told_uneven = 1;
+    if (o->smooth && !(o->resample > 0) && is_uneven(p) && warns(WARN_UNEVEN))
         remark("%s:%lu: %s: --smooth wants edges of like length, and these are not; --resample STEP makes them so",
                current_file, p->first_line, p->id);
-    }
 }
 
 /* Corners at equal distances of about `step` along the outline, from the first one on. On a sphere along the chords. */

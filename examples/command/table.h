@@ -4,8 +4,10 @@
 
 #include "columns.h"
 #include "polygon.h"
+#include "seen.h"
 
-enum { MOST_SEEN = 1 << 20 }; /* ids that are remembered, so that memory does not grow with the table */
+/* Radii of one sphere that differ by more are of none, or of one elsewhere; those of segmented organs differ by less. */
+static const double MOST_UNLIKE = 1.5;
 
 typedef struct table {
     lines *in;
@@ -25,9 +27,8 @@ typedef struct table {
     size_t first_room;
     char **begun_with; /* what each column that is not looked at had when the polygon began; NULL once it is told */
     size_t *begun_room;
-    uint64_t *seen; /* hashes of ids, in a table with open addressing */
-    size_t seen_count, seen_room;
-    int told_again;
+    seen_ids seen;
+    double nearest, farthest; /* of the corners of a sphere from its middle */
 } table;
 
 /* --- the line that names the columns ------------------------------------------------------------------------------ */
@@ -66,7 +67,7 @@ static void read_header(table *t, lines *in, const options *o)
     t->in = in;
     do
         if (!read_line(in)) die("%s: no line names the columns", in->name);
-    while (is_blank_line(in->text) || is_comment(in->text) || (o->columns && *in->text == '>'));
+    while (is_blank_line(in->text) || is_comment(in->text) || *in->text == '>');
     trim_end(in->text);
     t->separator = find_separator_of(in->text);
     split_line(in, t->separator);
@@ -97,7 +98,7 @@ static void free_table(table *t)
     free(t->begun_room);
     free(t->id);
     free(t->first);
-    free(t->seen);
+    free_seen(&t->seen);
     free_columns(&t->columns);
 }
 
@@ -107,6 +108,15 @@ static const char *field_at(const table *t, size_t place, const char *name)
 {
     if (place + (size_t)t->shift >= t->in->fields) malformed(t->in, "no field for column '%s'", name);
     return t->in->field[place + (size_t)t->shift];
+}
+
+/* Could the comma stand between thousands: 1,234? */
+static int has_thousands(const char *field)
+{
+    size_t before;
+    if (*field == '-' || *field == '+') ++field;
+    before = strspn(field, "0123456789");
+    return before >= 1 && before <= 3 && *field != '0' && strlen(field) == before + 4;
 }
 
 /* A number with a decimal comma, where commas do not separate. A file has points or commas, not both. */
@@ -121,6 +131,9 @@ static int parse_with_comma(table *t, const char *field, double *number)
     *comma = '.';
     if (!parse_number(t->in->powers, text, number)) return 0;
     if (t->decimal == '.') malformed(t->in, "'%s' has a decimal comma, numbers before it a point", field);
+    if (t->decimal == '\0' && has_thousands(field) && warns(WARN_COMMA))
+        remark("%s:%lu: %s is read as %s: a decimal comma, not one between thousands", t->in->name, t->in->number,
+               field, text);
     t->decimal = ',';
     return 1;
 }
@@ -194,40 +207,9 @@ static const char *id_of_row(table *t)
 
 /* --- what is told once -------------------------------------------------------------------------------------------- */
 
-/* Has there been an outline of that id, other than the last one? */
-static int is_seen(table *t, const char *id)
-{
-    uint64_t hash = 0xcbf29ce4;
-    size_t i, at, room = 2 * (size_t)MOST_SEEN;
-    for (; *id; ++id) hash = ((hash ^ (unsigned char)*id) & 0xffffffffffff) * 0x5bd1 ^ hash >> 40;
-    hash |= 1; /* 0 is an empty place */
-    if (t->seen_count == MOST_SEEN) return 0;
-    if (2 * t->seen_count >= t->seen_room) { /* make room, twice as much each time */
-        uint64_t *old = t->seen;
-        size_t old_room = t->seen_room;
-        t->seen_room = old_room ? 2 * old_room : 256;
-        if (t->seen_room > room) t->seen_room = room;
-        t->seen = (uint64_t *)resize(NULL, t->seen_room, sizeof *t->seen);
-        memset(t->seen, 0, t->seen_room * sizeof *t->seen);
-        for (i = 0; i < old_room; ++i) {
-            if (!old[i]) continue;
-            for (at = (size_t)(old[i] >> 1) & (t->seen_room - 1); t->seen[at]; at = (at + 1) & (t->seen_room - 1))
-                continue;
-            t->seen[at] = old[i];
-        }
-        free(old);
-    }
-    for (at = (size_t)(hash >> 1) & (t->seen_room - 1); t->seen[at]; at = (at + 1) & (t->seen_room - 1))
-        if (t->seen[at] == hash) return 1;
-    t->seen[at] = hash;
-    ++t->seen_count;
-    return 0;
-}
-
 static void tell_again(table *t, const char *id)
 {
-    if (t->told_again || says_nothing || t->columns.ids == 0 || !is_seen(t, id)) return;
-    t->told_again = 1;
+    if (t->columns.ids == 0 || says_nothing || !is_seen(&t->seen, id) || !warns(WARN_AGAIN)) return;
     remark("%s:%lu: id %s comes again: only lines that follow each other are one outline", t->in->name, t->in->number,
            id);
 }
@@ -246,8 +228,9 @@ static void watch_ignored(table *t, const polygon *p, int begins)
         if (!begins) {
             if (!t->begun_with[i]) continue; /* the first row of all ended before this column */
             if (strcmp(field, t->begun_with[i]) == 0) continue;
-            remark("%s:%lu: column '%s' changes within outline %s; if it tells outlines apart, say so with --id",
-                   t->in->name, t->in->number, c->name[i], p->id);
+            if (warns(WARN_COLUMN))
+                remark("%s:%lu: column '%s' changes within outline %s; if it tells outlines apart, say so with --id",
+                       t->in->name, t->in->number, c->name[i], p->id);
             t->begun_room[i] = nowhere; /* once is enough */
             continue;
         }
@@ -258,6 +241,22 @@ static void watch_ignored(table *t, const polygon *p, int begins)
 }
 
 /* --- polygons ----------------------------------------------------------------------------------------------------- */
+
+/* Corners at very different distances from the origin are hardly those of a sphere about it. */
+static void watch_radius(table *t, const double *x)
+{
+    double radius = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    if (!(radius > 0 && radius <= 1e150) || t->farthest < 0) return;
+    if (t->rows == 0) t->nearest = t->farthest = radius;
+    if (radius < t->nearest) t->nearest = radius;
+    if (radius > t->farthest) t->farthest = radius;
+    if (!(t->farthest > MOST_UNLIKE * t->nearest)) return;
+    if (warns(WARN_RADIUS))
+        remark("%s:%lu: corners lie %.3g to %.3g from the origin: a sphere is to have its middle there, and only the "
+               "directions of corners count",
+               t->in->name, t->in->number, t->nearest, t->farthest);
+    t->farthest = -1; /* once a file */
+}
 
 static void add_row(table *t, polygon *p)
 {
@@ -272,6 +271,7 @@ static void add_row(table *t, polygon *p)
     if (l->surface == EMBEDDED) value[4] *= t->down;
     if (l->lonlat && status == SURFMINK_OK) status = surfmink_from_lonlat(value[0], value[1], 1, value);
     find_fault(p, status, t->in->number);
+    if (l->surface == SPHERE && !l->lonlat) watch_radius(t, value);
     if (has(&t->columns, COLUMN_K)) k = number_at(t, COLUMN_K);
     add_corner(p, value, value + 3, t->in->number);
     if (has(&t->columns, COLUMN_K)) set_order(p, k);
@@ -302,7 +302,7 @@ static void begin_row_polygon(table *t, polygon *p)
     tell_again(t, p->id);
 }
 
-/* A first column without a name is an id if the second row has the same in it as the first; if not, a mere index. */
+/* A first column without a name, or an index, is an id if the second row has the same in it as the first; if not, a mere index. */
 static void judge_unnamed(table *t, polygon *p)
 {
     const char *field;
@@ -318,7 +318,12 @@ static void judge_unnamed(table *t, polygon *p)
     if (strcmp(field, t->first) == 0) {
         add_id(&t->columns, t->columns.unnamed);
         rename_polygon(p, t->first);
-        remark("%s: id: the first column, which has no name but the same in rows that follow each other", t->in->name);
+        if (t->columns.name[t->columns.unnamed][0])
+            remark("%s: id: %s, which is the same in rows that follow each other (--id names others)", t->in->name,
+                   t->columns.name[t->columns.unnamed]);
+        else
+            remark("%s: id: the first column, which has no name but the same in rows that follow each other",
+                   t->in->name);
     }
     t->columns.unnamed = nowhere;
 }

@@ -17,13 +17,15 @@ curve_plane, curve_sphere and curve_embedded the smooth curves through the corne
 gradient_plane, gradient_sphere and gradient_embedded outlines, and the gradient of an energy by corners and normals,
 director_plane, director_sphere and director_embedded outlines, and their directions at the centre,
 field_plane, field_sphere and field_embedded the p-atic field of a tissue, with its defects. All but these take
-    corner    (N, 2) or (N, 3) numbers: the corners of all outlines, one outline after the other
+    corner    (N, 2) or (N, 3) numbers: the corners of all outlines, one outline after the other; plane, sphere and
+              embedded also take a list of one such array an outline, and then no offset
     offset    (count + 1,) whole numbers: outline i has the corners offset[i] ... offset[i + 1] - 1.
               None: the corners are one outline
     max_rank  P >= 0
 and return Results. A numpy array must be C-contiguous and float64 (offset: int64 or uint64), as it is handed to C as it
 is: what would have to be copied is refused with a TypeError or ValueError that says how. So are masked entries. Lists
-are converted. A call costs tens of microseconds, most of them in Python: measure many outlines in one.
+and whole numbers are converted; merge opens rings whose last corner is the first one again. A call costs tens of
+microseconds, most of them in Python: measure many outlines in one.
 Of one outline (offset=None) a refusal raises Refused; of many it is an entry in Results.status, and no other outline is
 disturbed. Calls let other threads of Python run.
 """
@@ -137,9 +139,13 @@ class Refused(ValueError):
         self.status = _STATUS[name]
         self.corner = corner
         self.outline = outline
+        self.hint = ""
+        if name == "coincident_corners":
+            self.hint = "; surfmink.merge(corner, offset) drops one of them, as the last one of closed rings"
         where = "" if outline is None else "outline %d: " % outline
         at = "" if corner is None else " (corner %d)" % corner
-        super().__init__("%s%s: %s%s" % (where, name, _library.surfmink_flat_strerror(self.status).decode(), at))
+        super().__init__("%s%s: %s%s%s" % (where, name, _library.surfmink_flat_strerror(self.status).decode(), at,
+                                           self.hint))
 
 
 def _check(status, bad=None, n=None):
@@ -171,6 +177,12 @@ def _numbers(name, array, kind):
     return array
 
 
+def _whole(array):
+    """Whole numbers as doubles: pixels, say."""
+    is_whole = isinstance(array, np.ndarray) and array.dtype.kind in "iu" and np.ma.getmask(array) is np.ma.nomask
+    return array.astype(float) if is_whole else array
+
+
 def _in_order(name, array):
     if not array.flags.c_contiguous or not array.flags.aligned:
         raise ValueError("%s does not lie in memory row after row: numpy.ascontiguousarray(%s) makes a copy that does"
@@ -179,13 +191,30 @@ def _in_order(name, array):
 
 
 def _doubles(name, array, columns):
-    """The array as C can read it, (n, columns) doubles one after the other; never a copy of a numpy array."""
-    array = _numbers(name, array, float)
+    """The array as C can read it, (n, columns) doubles one after the other; a numpy array is copied only if it has
+    whole numbers."""
+    array = _numbers(name, _whole(array), float)
     if array.ndim != 2 or (columns is not None and array.shape[1] != columns):
         raise ValueError("%s has the shape %s, not (corners, %s)%s" % (
             name, array.shape, columns or "stride",
             "; surfmink.pack makes corner and offset of a list of outlines" if array.ndim == 3 else ""))
     return _in_order(name, array)
+
+
+def _listed(*arrays, offset):
+    """Lists of one array an outline become corner and offset; arrays stay as they are."""
+    first = arrays[0]
+    is_list = isinstance(first, (list, tuple)) and len(first) > 0 and all(np.ndim(outline) == 2 for outline in first)
+    if not is_list:
+        return (*arrays, offset)
+    if offset is not None:
+        raise ValueError("a list of outlines has its own offset; give either")
+    if any([len(one) for one in other] != [len(one) for one in first] for other in arrays[1:]):
+        raise ValueError("the list of normals is not like that of corners")
+    for outline in [one for array in arrays for one in array]:
+        _numbers("an outline of the list", _whole(outline), float)
+    packed = [pack(array) for array in arrays]
+    return (*(array for array, _ in packed), packed[0][1])
 
 
 def _with_normals(corner, normal):
@@ -413,16 +442,19 @@ def _each(one, corners, offset, max_rank, **more):
 
 def plane(corner, offset=None, max_rank=6):
     """Outlines of the plane. corner (N, 2)."""
+    corner, offset = _listed(corner, offset=offset)
     return _measure(_plane(corner), offset, max_rank)
 
 
 def sphere(corner, offset=None, radius=1.0, max_rank=6):
     """Outlines of great-circle arcs. corner (N, 3), of which only directions count; radius gives the unit of L."""
+    corner, offset = _listed(corner, offset=offset)
     return _measure(_sphere(corner, radius), offset, max_rank)
 
 
 def embedded(corner, normal, offset=None, max_rank=6):
     """Outlines of straight chords on a surface in space. corner (N, 3), outer normals (N, 3) of any length."""
+    corner, normal, offset = _listed(corner, normal, offset=offset)
     return _measure(_embedded(corner, normal), offset, max_rank)
 
 
@@ -706,6 +738,29 @@ def pack(outlines):
     offset = np.zeros(len(outlines) + 1, dtype=np.int64)
     np.cumsum([len(outline) for outline in outlines], out=offset[1:])
     return np.concatenate([np.asarray(outline, dtype=np.float64) for outline in outlines]), offset
+
+
+def merge(corner, offset=None, distance=0.0, normal=None):
+    """Without corners that lie within `distance` of the one before, or at the end of the first one: rings that are
+    closed are opened. Returns (corner, offset), or only corner of one outline; with normals (corner, normal, offset)."""
+    corner, offset_given = _doubles("corner", corner, None), offset
+    if normal is not None:
+        corner, normal = _with_normals(corner, normal)
+    offset = _offsets([0, len(corner)] if offset is None else offset, len(corner)).astype(np.int64)
+    kept, count = [], [0]
+    for first, end in zip(offset[:-1], offset[1:]):
+        rows = []
+        for i in range(first, end):
+            if not rows or not np.linalg.norm(corner[i] - corner[rows[-1]]) <= distance:
+                rows.append(i)
+        while len(rows) > 1 and np.linalg.norm(corner[rows[0]] - corner[rows[-1]]) <= distance:
+            rows.pop()
+        kept += rows
+        count.append(len(kept))
+    some = (corner[kept],) + (() if normal is None else (normal[kept],))
+    if offset_given is not None:
+        some += (np.array(count),)
+    return some if len(some) > 1 else some[0]
 
 
 def offsets(ids):

@@ -69,6 +69,32 @@ def a_square_is_a_square():
 
 
 @theorem
+def arrays_as_people_have_them_are_measured_or_refused_by_name():
+    closed = np.vstack([square, square[:1]])
+    raises(surfmink.Refused, "coincident_corners|(corner 4)|surfmink.merge", surfmink.plane, closed)
+    near(surfmink.plane(surfmink.merge(closed)).mu[4], 1)
+    corner, offset = surfmink.merge(np.vstack([closed, square * 2]), [0, 5, 9])
+    assert list(offset) == [0, 4, 8]
+    near(corner[4:], square * 2, 0)
+    twice = np.insert(closed, 2, closed[1] + [0, 1e-9], axis=0)
+    near(surfmink.merge(twice, distance=1e-6), square, 0)
+    assert len(surfmink.merge(twice)) == 5
+    kept, normal = surfmink.merge(octant[[0, 0, 1, 2]], normal=octant[[0, 0, 1, 2]])
+    near(normal, octant, 0)
+    near(surfmink.plane(square.astype(int)).mu[4], 1)
+    near(surfmink.plane([square, 3 * square, square[:3].astype(int)]).L, [4, 12, 2 + math.sqrt(2)])
+    near(surfmink.sphere([octant, octant[::-1][[1, 0, 2]]]).mu[:, 3], [1, 1])
+    near(surfmink.embedded([octant], [octant]).mu[0, 3], 1)
+    near(surfmink.plane(square.tolist()).L, 4)
+    raises(ValueError, "give either", surfmink.plane, [square], [0, 4])
+    raises(ValueError, "normals is not like", surfmink.embedded, [octant], [octant[:2]])
+    masked = np.ma.array(square, mask=[[0, 0], [0, 1], [0, 0], [0, 0]])
+    for given in (masked, [square, masked]):
+        raises(ValueError, "masked entries", surfmink.plane, given)
+    near(surfmink.plane(masked[~masked.mask.any(axis=1)].data).area, .5)
+
+
+@theorem
 def an_octant_is_a_triangle_on_a_sphere_of_any_radius():
     for corner in (octant, 7 * octant, octant.tolist()):
         one = surfmink.sphere(corner, radius=2.0)
@@ -187,8 +213,8 @@ def masked_corners_are_refused_and_never_measured():
 
 @theorem
 def a_list_of_outlines_is_sent_to_pack():
-    raises(ValueError, "surfmink.pack", surfmink.plane, [square, square[:3]])
-    raises(ValueError, "surfmink.pack", surfmink.plane, [square, square])
+    raises(ValueError, "surfmink.pack", surfmink.curve_plane, [square, square[:3]])
+    raises(ValueError, "corner", surfmink.curve_plane, [square, square])
     corner, offset = surfmink.pack([square, [[0, 0], [2, 0], [0, 2]], square[:3].astype(int)])
     assert list(offset) == [0, 4, 7, 10] and corner.dtype == float
     near(surfmink.plane(corner, offset).L, [4, 4 + math.sqrt(8), 2 + math.sqrt(2)])
