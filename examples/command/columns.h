@@ -172,8 +172,8 @@ static void take_ids(column_list *c, const lines *in, const char *list)
     }
 }
 
-/* Without --id: all whose names say so; else the first other one, unless it is measured. A second order is no id, and an
-   index alone may count rows. */
+/* Without --id: all whose names say so; else the first other one, unless it is measured. A second order is no id, and
+   an index alone may count rows. */
 static void guess_ids(column_list *c)
 {
     size_t i;

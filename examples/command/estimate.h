@@ -1,8 +1,8 @@
 /* estimate.h - step 1 of the command, --normals estimate: cells in space without normals -> with.
 
    Where cells share corners, the normal there is the mean of theirs, weighted by area; a cell that shares none has that
-   of its best plane. What that costs, on the 400 cells of examples/data/tissue.tsv, whose normals are known: mu_2 to mu_6
-   are off by .0009 in the median and by .065 at most; as lone cells by .0013 and .113. */
+   of its best plane. What that costs, on the 400 cells of examples/data/tissue.tsv, whose normals are known: mu_2 to
+   mu_6 are off by .0009 in the median and by .065 at most; as lone cells by .0013 and .113. */
 #ifndef SURFMINK_COMMAND_ESTIMATE_H
 #define SURFMINK_COMMAND_ESTIMATE_H
 

@@ -6,7 +6,8 @@
 #include "polygon.h"
 #include "seen.h"
 
-/* Radii of one sphere that differ by more are of none, or of one elsewhere; those of segmented organs differ by less. */
+/* If the radii of corners differ by a larger factor there is no sphere, or its centre is not the origin; those of
+   segmented organs differ by less. */
 static const double MOST_UNLIKE = 1.5;
 
 typedef struct table {
@@ -302,7 +303,7 @@ static void begin_row_polygon(table *t, polygon *p)
     tell_again(t, p->id);
 }
 
-/* A first column without a name, or an index, is an id if the second row has the same in it as the first; if not, a mere index. */
+/* A first column without a name, or an index, is an id if the first two rows have the same in it; else it counts rows. */
 static void judge_unnamed(table *t, polygon *p)
 {
     const char *field;
