@@ -303,7 +303,7 @@ static void begin_row_polygon(table *t, polygon *p)
     tell_again(t, p->id);
 }
 
-/* A first column without a name, or an index, is an id if the first two rows have the same in it; else it counts rows. */
+/* A first column without a name, or an index, is an id if the first two rows agree in it; else it counts rows. */
 static void judge_unnamed(table *t, polygon *p)
 {
     const char *field;
