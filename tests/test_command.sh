@@ -787,6 +787,9 @@ names 'id\tx\ty\na\t0,5\t0,5\na\t1,5\t0,5\na\t1,5\t1,5\na\t0,5\t1,5\n'
 names '"a id" "x" "y"\n"New York" 0 0\n"New York" 1 0\n"New York" 1 1\n"New York" 0 1\n'
 names 'row,col\n0,0\n0,-1\n1,-1\n1,0\n'
 napari='index,shape-type,vertex-index,axis-0,axis-1\n'
+printf "${napari}0,polygon,0,0,0\n0,polygon,1,0,5\n0,polygon,2,5,5\n" > in
+run
+check "rows of an image run down already" "$status $(grep -c 'y-down' err)" "2 0"
 names "${napari}0,polygon,0,0,0\n0,polygon,1,0,-1\n0,polygon,2,1,-1\n0,polygon,3,1,0\n"
 names 'x y\n0 0\n0 1\n1 1\n1 0\n' --y-down
 names '0,0\n1,0\n1,1\n0,1\n' --columns x,y
@@ -1208,6 +1211,17 @@ check "GeoJSON" "$status $(column id)" '0 17 Isés "x"/0 Isés "x"/1 Isés "x"/1
 check "GeoJSON: corners" "$(column n) $(column status)" "3 4 4 4 3 ok ok ok ok ok"
 near "GeoJSON: area" "$(field 1 area)" 1.5707963267948966
 check "what is left out is told" "$(cat err)" "map.geojson: 1 points or lines are left out: they enclose nothing"
+cat > metres.geojson << 'END'
+{"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25832"}},
+ "features": [{"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}}]}
+END
+run metres.geojson
+stopped "metres for degrees" "metres.geojson:1: the coordinates are in EPSG:25832, not in degrees: ogr2ogr -t_srs EPSG:4326"
+run metres.geojson --surface plane
+check "metres of a map" "$status $(field 1 area)" "0 40.5"
+sed 's/25832/4258/' metres.geojson > degrees.geojson
+run degrees.geojson
+check "degrees of another ellipsoid" "$status $(field 1 status)" "0 ok"
 cp map.geojson in
 run --quiet
 check "GeoJSON through a pipe" "$(column n)" "3 4 4 4 3"

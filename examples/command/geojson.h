@@ -140,6 +140,24 @@ static void end_feature(geojson *g)
     g->first_of_feature = g->rings.count;
 }
 
+/* The old member crs. Codes 4000 to 4999 of EPSG are degrees; those of maps are metres. */
+static void check_crs(geojson *g, int depth)
+{
+    size_t at;
+    const char *code;
+    json_next(&g->json);
+    at = g->json.at;
+    json_skip(&g->json, depth);
+    for (; at < g->json.at && g->on_sphere; ++at) {
+        if (strncmp(g->json.text + at, "EPSG:", 5) != 0) continue;
+        code = strrchr(g->json.text + at, ':') + 1;
+        if (atoi(code) < 4000 || atoi(code) > 4999)
+            die("%s:%lu: the coordinates are in EPSG:%.8s, not in degrees: ogr2ogr -t_srs EPSG:4326 converts them, "
+                "--surface plane measures the map",
+                g->json.in->name, g->json.line, code);
+    }
+}
+
 /* An object: a collection, a feature, or a geometry, in which type and coordinates may come in any order. */
 static void read_object(geojson *g, int depth)
 {
@@ -160,6 +178,8 @@ static void read_object(geojson *g, int depth)
             at = g->json.at;
             line = g->json.line;
             json_skip(&g->json, depth);
+        } else if (strcmp(key, "crs") == 0) {
+            check_crs(g, depth);
         } else if (strcmp(key, "id") == 0) {
             read_id(g, 5);
         } else if (strcmp(key, "properties") == 0) {

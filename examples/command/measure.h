@@ -18,7 +18,8 @@ typedef struct measure {
     unsigned long hint_line; /* of what may be the cause of a refusal; 0: not known */
     double hint_edge;        /* the cause: an edge so short, of the perimeter; 0: a spike */
     int reversed;            /* --reverse auto turned it round */
-    int surface, has_means;  /* has_means: its normals are means over faces */
+    int surface;
+    int has_means, is_mirrored; /* as in polygon */
     double length, turning, area;
     const double *mu;    /* P + 1 */
     const double *theta; /* P + 1 */
@@ -360,6 +361,7 @@ static measure measure_of(measures *m, const batch *b, size_t i, const options *
     one.id = p->id;
     one.surface = p->surface;
     one.has_means = p->has_means;
+    one.is_mirrored = p->is_mirrored;
     one.reversed = m->reversed[i];
     for (k = 0; k < 2; ++k) {
         one.crossing[k] = m->crossing[2 * i + k];

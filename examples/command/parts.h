@@ -16,6 +16,7 @@ static void take_part(polygon *part, const polygon *p, size_t first, size_t end,
     sprintf(id, "%s/%lu%s", p->id, (unsigned long)number, i ? "/hole" : "");
     begin_polygon(part, p->surface, id, p->line[first]);
     free(id);
+    part->is_mirrored = p->is_mirrored;
     part->fault = p->fault;
     part->fault_line = p->fault_line;
     for (; first < end; ++first)

@@ -40,6 +40,7 @@ typedef struct polygon {
     double *corner;      /* PLANE: x y, else x y z of each corner */
     double *normal;      /* EMBEDDED: of each corner */
     int has_means;       /* they are means over faces */
+    int is_mirrored;     /* y pointed down */
     unsigned long *line; /* where each corner stands in its file */
     double *order;       /* the k of each corner; used if has_order */
     size_t order_room;
@@ -68,6 +69,7 @@ static void begin_polygon(polygon *p, int surface, const char *id, unsigned long
     p->n = 0;
     p->has_order = 0;
     p->has_means = 0;
+    p->is_mirrored = 0;
     p->first_line = line;
     p->fault = SURFMINK_OK;
 }

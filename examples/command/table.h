@@ -300,6 +300,7 @@ static void begin_row_polygon(table *t, polygon *p)
     snprintf(number, sizeof number, "%lu", t->polygons++);
     if (t->columns.ids > 0) id = id_of_row(t);
     begin_polygon(p, t->columns.layout->surface, id, t->in->number);
+    p->is_mirrored = t->down < 0;
     tell_again(t, p->id);
 }
 
@@ -344,6 +345,7 @@ static int next_line_polygon(table *t, polygon *p)
     if (t->in->fields % 2 != 0) malformed(t->in, "%lu numbers are no pairs x,y", (unsigned long)t->in->fields);
     snprintf(number, sizeof number, "%lu", t->polygons++);
     begin_polygon(p, PLANE, number, t->in->number);
+    p->is_mirrored = t->down < 0;
     for (i = 0; i < t->in->fields; i += 2) {
         double x[2];
         for (k = 0; k < 2; ++k)
