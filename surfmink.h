@@ -7,8 +7,8 @@
      mu_p = 1 for a polygon with p equal angles on any surface, mu_p = 0 for a circle, and a value between for all other
      shapes. mu_2 measures elongation, mu_3 how triangular an outline is, ..., mu_6 how hexagonal.
      An outline is one closed curve without holes that encloses a Gaussian curvature below 2 pi (on a sphere: less than
-     half of it). An invalid outline is refused with the reason if its turning angles or its area show the fault. A
-     crossing that changes neither is not found; examples/beyond/crossings.h finds all crossings.
+     half of it). An invalid outline is refused with the reason if its turning angles or its area reveal the fault. A
+     crossing that changes neither goes undetected; examples/beyond/crossings.h finds all crossings.
 
    QUICK START
      #define SURFMINK_IMPLEMENTATION                              // in exactly one .c or .cpp file
@@ -37,11 +37,11 @@
      turning        alpha_i, the signed turn AT corner i, positive towards the inside; radians in [-pi, pi]
      S              sum of alpha_i = 2 pi - enclosed Gaussian curvature; 2 pi in the plane
      phase f_i      of edge i: f_0 = 0, f_i = (2 pi / S)(alpha_1 + ... + alpha_i); one full turn adds 2 pi
-     rank p         0 .. P = max_rank, any P; p = 0 gives L; mu_1 = 0 in the plane but not on curved surfaces
+     rank p         0 .. P = max_rank, any P; p = 0 gives L; mu_1 = 0 in the plane but in general not on curved surfaces
      g_p            sum of l_i exp(i p f_i), stored as g[2p] (real part) and g[2p+1] (imaginary part)
      lambda_p, mu_p |g_p| and |g_p| / L in [0, 1]
      theta          eigenvector angle in the surface, from the outward normal of edge 0 within the surface (the outer
-                    co-normal nu = tau x normal) turning towards the edge tau. g is read at the MIDDLE of edge 0.
+                    co-normal nu = tau x normal) turning towards the tangent tau. g is read at the MIDDLE of edge 0.
      Arrays hold one corner after the other: x y (plane) or x y z. Lengths have the unit of the corners. In the
      descriptions below, the second column is the number of elements of an array.
 
@@ -53,7 +53,7 @@
 
    ERRORS
      A call that can fail returns SURFMINK_OK = 0 or the value of enum surfmink_status that names the fault. After a
-     fault every output is untouched, except *bad: the corner at fault, or n if the fault is of the whole outline.
+     fault every output is untouched, except *bad: the corner at fault, or n if the outline as a whole is.
      (surfmink_edges may have filled part of its arrays when a callback fails half-way.) NULL is allowed only where a
      description says so. Outputs do not overlap inputs unless a description says so. No errno, no assert, no printing.
      All calls are re-entrant and thread-safe.
@@ -73,14 +73,14 @@
 
    ACCURACY
      Let c = max(1, (sum |alpha_i| + |2 pi - S|) / S). It is near 1 for most outlines, and larger for an outline that
-     turns to and fro or encloses a curvature near 2 pi. Every outline that is not refused has
+     turns back and forth or encloses a curvature near 2 pi. For every outline that is not refused:
        L       to 1e-15, relative
        S       to 2e-15 c, relative; through callbacks to 2e-15 (c + sqrt(n) / 50)
        mu_p    to 1e-14 (1 + c + c^2 / 10), p <= 12, and the angle p theta_p of g_p, times mu_p, to the same;
                through callbacks to 1e-14 (1 + c^2 + sqrt(n) / 10)
        area    to 2e-15 of half the sum of |x_i - x_0| l_i, which is large beside the area of a sliver. The area of an
                embedded outline is an estimate: see surfmink_area
-     by each way to measure: single calls, steps, callbacks, batches; at any size, from 3 to 1e5 corners, for edges from
+     This holds for single calls, steps, callbacks and batches, at any size, from 3 to 1e5 corners, for edges from
      2.3e-308 to 1e308. make accuracy compares all ways with quadruple precision: cells of size 1e-12, corners off the
      sphere, edges steep against the tangent plane, needles, spikes, spirals, outlines beside great circles. The worst
      cases found are in docs/internals/trust.md. c describes rounding only. An error e in the position of a corner may
@@ -93,10 +93,10 @@
      The same program on the same machine gives the same bits, in any thread and locale, and in a batch with any other
      outlines and any number of threads. sin, cos and atan2 are polynomials of this file, and sqrt is correctly rounded
      in IEEE arithmetic. So all machines, libraries and compilers give the same bits, provided that
-       a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64; gcc 12
-         at -O3 does so in vectors where there is FMA, whatever it is told, unless by -fno-tree-slp-vectorize
+       a*b+c is not fused: -ffp-contract=off. gcc does not fuse with -std=c99, no compiler does for plain x86-64. With
+         FMA, gcc 12 at -O3 fuses in vector code whatever it is told; -fno-tree-slp-vectorize prevents it
        doubles have 64 bits: for 32-bit x86 this takes -msse2 -mfpmath=sse
-       batches use the same instructions: none; SSE2; or AVX2, AVX-512 and NEON, which agree to the bit.
+       batches use the same class of instructions: none; SSE2; or AVX2, AVX-512 and NEON, which agree to the bit.
      Otherwise the last bits may differ; statuses do not. Batches and single calls, and different sets of vector
      instructions, differ within ACCURACY; so do fused a*b+c, and x87 with -std=c99. Rounding up, down or towards zero
      doubles that difference, but batches in vector instructions then lose half of their digits. -ffast-math, and x87
@@ -129,7 +129,7 @@
 extern "C" {
 #endif
 
-/* What may be wrong with an outline. surfmink_strerror says it in a sentence, surfmink_status_name in a word. */
+/* What may be wrong with an outline. surfmink_strerror describes it, surfmink_status_name names it. */
 enum surfmink_status {
     SURFMINK_OK = 0,
     SURFMINK_TOO_FEW_CORNERS = 1,    /* a polygon needs at least 3 */
@@ -147,10 +147,10 @@ enum surfmink_status {
     SURFMINK_OPPOSITE_NORMALS = 12 /* the normals of two neighbours are 90 degrees apart or more: one may be flipped */
 };
 
-/* One sentence for a status, "" for a number that is none. The texts are constants. */
+/* One sentence for a status, "" for a number that is not a status. The texts are constants. */
 SURFMINK_DEF const char *surfmink_strerror(int status);
 
-/* One word for a status, for tables: "ok", "too_few_corners", ...; "" for a number that is none. */
+/* One word for a status, for tables: "ok", "too_few_corners", ...; "" for any other number. */
 SURFMINK_DEF const char *surfmink_status_name(int status);
 
 /* --- outlines: a view of your arrays ------------------------------------------------------------------------------ */
@@ -164,8 +164,8 @@ SURFMINK_DEF const char *surfmink_status_name(int status);
    Return SURFMINK_OK, or the status to report (SURFMINK_CALLBACK_FAILED if no other fits); outputs are then not
    read. */
 typedef struct surfmink_surface {
-    void *context; /* handed to the callbacks as it is */
-    size_t stride; /* doubles a corner */
+    void *context; /* passed unchanged to the callbacks */
+    size_t stride; /* doubles per corner */
     int (*log)(void *context, const double *x, const double *y, double *length, double direction[2]);
     int (*exp)(void *context, const double *x, const double direction[2], double length, double *y);
 } surfmink_surface;
@@ -180,10 +180,10 @@ enum surfmink_kind {
 
 /* An outline, or for surfmink_batch the corners of all outlines. The four functions below fill it in.
    corner        the corners, one after the other
-   normal        SURFMINK_EMBEDDED: outer normal at each corner; need not be unit; else NULL
+   normal        SURFMINK_EMBEDDED: outer normal at each corner; need not be unit. NULL for other kinds
    radius        SURFMINK_SPHERE: > 0, at most 1e307. Only the directions of corners count, so they may lie a little off
-                 the sphere, or on the unit sphere while radius gives the unit of lengths. Else 1
-   surface       SURFMINK_SURFACE: the callbacks; else NULL */
+                 the sphere, or on the unit sphere while radius gives the unit of lengths. 1 for other kinds
+   surface       SURFMINK_SURFACE: the callbacks. NULL for other kinds */
 typedef struct surfmink_outline {
     enum surfmink_kind kind;
     size_t n;             /* number of corners, >= 3 */
@@ -202,7 +202,7 @@ SURFMINK_DEF surfmink_outline surfmink_on_surface(const surfmink_surface *surfac
 
 /* The Minkowski functionals of an outline (paper 2.2) and what follows from them. */
 typedef struct surfmink_functionals {
-    double area;      /* W_0, see surfmink_area; 0 of callback surfaces, which do not tell it */
+    double area;      /* W_0, see surfmink_area; 0 for callback surfaces, which cannot supply it */
     double length;    /* W_1 = L, the sum of the edge lengths */
     double turning;   /* W_2 = S, the sum of the turning angles */
     double curvature; /* enclosed Gaussian curvature 2 pi - S: plane 0, sphere area / R^2, which keeps small digits */
@@ -223,16 +223,16 @@ typedef struct surfmink_functionals {
 SURFMINK_DEF int surfmink_measure(const surfmink_outline *outline, int max_rank, double *mu, double *g,
                                   surfmink_functionals *w, size_t *bad);
 
-/* Where the results of a batch go: your arrays, one entry an outline. Each may be NULL, and then costs nothing. */
+/* Where the results of a batch go: your arrays, one entry per outline. Each may be NULL, and then costs nothing. */
 typedef struct surfmink_results {
     int *status;     /* of enum surfmink_status */
     size_t *bad;     /* of refused outlines only: the corner at fault, counted within the outline, or n */
     double *length;  /* L */
     double *turning; /* S */
-    double *area;    /* W_0; 0 of callback surfaces */
-    double *mu;      /* P + 1 an outline */
-    double *g;       /* 2 P + 2 an outline, as surfmink_measure */
-    double *theta;   /* P + 1 an outline, as surfmink_spectrum; about as much work as all of g */
+    double *area;    /* W_0; 0 for callback surfaces */
+    double *mu;      /* P + 1 per outline */
+    double *g;       /* 2 P + 2 per outline, as surfmink_measure */
+    double *theta;   /* P + 1 per outline, as surfmink_spectrum; about as much work as all of g */
 } surfmink_results;
 
 /* Measures many outlines in one call: surfmink_measure for each, but several at once in vector instructions.
@@ -243,8 +243,8 @@ typedef struct surfmink_results {
    scratch  2 all->n  doubles to work in; or NULL: then outlines with more than 128 corners are measured twice, as
                       surfmink_measure does. No bit depends on it
    returns            how many outlines were refused: 0 if all is well
-   Errors: each outline has its own, as in surfmink_measure. All are BAD_ARGUMENT if max_rank or the radius is invalid;
-   one is if its offsets decrease or it ends after all->n.
+   Errors: each outline has its own, as in surfmink_measure. All get BAD_ARGUMENT if max_rank or the radius is invalid;
+   a single one does if its offsets decrease or it ends after all->n.
    The results of an outline do not depend on the others or on the number of threads. They differ from those of
    surfmink_measure by rounding. Cost: O(corners P), 90 KiB of stack; figures: docs/internals/performance.md. */
 SURFMINK_DEF size_t surfmink_batch(const surfmink_outline *all, const size_t *offset, size_t count, int max_rank,
@@ -260,7 +260,7 @@ SURFMINK_DEF size_t surfmink_batch(const surfmink_outline *all, const size_t *of
      sphere: ZERO_NORMAL (a corner at the centre), ANTIPODAL_CORNERS (within 8 eps);
      embedded: ZERO_NORMAL, OPPOSITE_NORMALS, UPRIGHT_EDGE (within 1e-6 rad of the normal);
      surface: what the callbacks return, else CALLBACK_FAILED.
-   Cost: O(n), one arctangent a corner; surface: 2 n calls of log. Paper 4.2; sphere and surface: 4.1. */
+   Cost: O(n), one arctangent per corner; surface: 2 n calls of log. Paper 4.2; sphere and surface: 4.1. */
 SURFMINK_DEF int surfmink_edges(const surfmink_outline *outline, double *length, double *turning, size_t *bad);
 
 /* L, S, area, 2 pi - S and the condition number of measured edges, or the fault of the outline as a whole.
@@ -425,8 +425,8 @@ SURFMINK_DEF void surfmink_smooth(double *corner, size_t n, size_t stride, size_
 /* Drops every corner that lies within a distance of the one kept before it (the last ones: of the first), in place.
    corner      n * stride
    normal      3 n    kept in step; or NULL
-   distance           >= 0, straight; 0 drops equal corners. On the sphere, corners in one direction at different
-                      distances from the centre are coincident but not equal
+   distance           >= 0, straight; 0 drops equal corners. On the sphere, corners in the same direction but at
+                      different distances from the centre are coincident, not equal
    returns            how many corners are left, at the front of the arrays */
 SURFMINK_DEF size_t surfmink_merge(double *corner, double *normal, size_t n, size_t stride, double distance);
 
@@ -489,7 +489,7 @@ SURFMINK_DEF const char *surfmink_strerror(int status)
     case SURFMINK_ZERO_NORMAL: return "a normal has no direction (on the sphere: a corner is the centre)";
     case SURFMINK_UPRIGHT_EDGE: return "an edge runs along the normal of the surface";
     case SURFMINK_ANTIPODAL_CORNERS: return "two neighbouring corners are antipodal: no unique edge joins them";
-    case SURFMINK_CLOCKWISE: return "the corners run clockwise (their turns sum up to less than 0)";
+    case SURFMINK_CLOCKWISE: return "the corners run clockwise (their turning angles add up to less than 0)";
     case SURFMINK_TOO_MUCH_CURVATURE: return "the enclosed curvature reaches 2 pi: no transport is defined";
     case SURFMINK_CROSSES_ITSELF: return "the outline crosses itself (its turns and its area contradict each other)";
     case SURFMINK_CALLBACK_FAILED: return "a callback of the surface failed";
@@ -1340,6 +1340,11 @@ static int surfmink__positive(double x)
     return x > 0 && x <= 1e307;
 }
 
+static int surfmink__has_arrays(const surfmink_outline *o)
+{
+    return o->corner && (o->normal || o->kind != SURFMINK_EMBEDDED);
+}
+
 /* What can be told of an outline without looking at its corners. */
 static int surfmink__check_view(const surfmink_outline *o, size_t *bad)
 {
@@ -1348,7 +1353,8 @@ static int surfmink__check_view(const surfmink_outline *o, size_t *bad)
     if (o->kind == SURFMINK_SURFACE && (!o->surface || !o->surface->log || o->surface->stride == 0))
         return surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
     if ((unsigned)o->kind > SURFMINK_SURFACE) return surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
-    return o->n < 3 ? surfmink__blame(SURFMINK_TOO_FEW_CORNERS, o->n, bad) : SURFMINK_OK;
+    if (o->n < 3) return surfmink__blame(SURFMINK_TOO_FEW_CORNERS, o->n, bad);
+    return surfmink__has_arrays(o) ? SURFMINK_OK : surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
 }
 
 /* What is wrong with an outline that is refused: first corners, then edges, which are blamed on their later corner. */
@@ -1364,7 +1370,8 @@ static int surfmink__find_fault(const surfmink_outline *o, size_t *bad)
     return surfmink__blame(SURFMINK_NOT_FINITE, o->n, bad);
 }
 
-/* Edges first .. first + count - 1. All turning angles of all surfaces come from the arctangent below. */
+/* Edges first .. first + count - 1. All turning angles of single calls, on all surfaces, come from the arctangent
+   below; those of batches from `angles`. */
 static int surfmink__measure_edges(const surfmink_outline *o, size_t first, size_t count, double *length,
                                    double *turning, size_t *bad)
 {
@@ -3973,7 +3980,8 @@ SURFMINK_DEF size_t surfmink_batch(const surfmink_outline *all, const size_t *of
     job.scratch = scratch;
     job.unit = all->kind == SURFMINK_SPHERE ? all->radius : 1;
     job.max_rank = max_rank;
-    if ((unsigned)all->kind < SURFMINK_SURFACE && max_rank >= 0 && surfmink__positive(job.unit))
+    if ((unsigned)all->kind < SURFMINK_SURFACE && max_rank >= 0 && surfmink__positive(job.unit) &&
+        surfmink__has_arrays(all))
         measure = surfmink__choose();
     size = surfmink__window_size(&job, count);
     windows = (ptrdiff_t)(count / size + (count % size > 0));

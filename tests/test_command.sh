@@ -761,7 +761,7 @@ cut -d : -f 2- err | sed 's/; --reverse auto turns.*//; 4q' > got
 check "warnings are told once" "$(cat got)" "$(cut -d : -f 2- << 'END'
 -:17: id a comes again: only lines that follow each other are one outline
 -:4: a: the outline goes there and back at this corner, a spike, of which both sides count; --repair takes it out
--:27: d: the corners run clockwise (their turns sum up to less than 0)
+-:27: d: the corners run clockwise (their turning angles add up to less than 0)
  5 measured, 1 refused; 7 warnings, of which the first of each kind are told
 END
 )"
@@ -982,6 +982,10 @@ OFF
 4 2 3 7 6
 4 3 0 4 7
 END
+sed '5s/1 -1 -1/1 -1 nan/' cube.off > nan.off
+run nan.off
+check "a vertex that is not finite" "$status $(column status)" "2 not_finite ok not_finite not_finite ok ok"
+has "its line" err "nan.off:5: a vertex is not finite: no face with it is measured"
 run cube.off
 measured "a cube" id "0 1 2 3 4 5"
 check "faces" "$(column n)" "4 4 4 4 4 4"

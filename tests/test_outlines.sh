@@ -105,6 +105,17 @@ check "not all names where there are many" "$(sed -n 2p err)" \
 printf 'P2 3 3 9 0 0 0 0 0 0 0 0 0\n' > none.pgm
 run none.pgm
 check "no cell at all" "$status $(cat err) $(cells out)" "0 outlines: no pixel has a label above 0 "
+for width in 1 2 3; do
+    awk -v w=$width 'BEGIN {
+        print "P2", 10 + w, 10 + w, 4
+        for (y = 0; y < 10 + w; y++) for (x = 0; x < 10 + w; x++)
+            print (x >= 5 && x < 5 + w) || (y >= 5 && y < 5 + w) ? 0 : 1 + (x > 5) + 2 * (y > 5)
+    }' > lined.pgm
+    for option in "" --lines; do
+        "$outlines" lined.pgm $option 2>&1 > out | grep -c 'lined.pgm: lines of 0 part the cells: --lines shares them out'
+    done
+done | tr '\n' ' ' > said
+check "lines of 0 without --lines are told" "$(cat said)" "1 0 1 0 0 0 "
 run four.pgm --wrap x
 check "wrapped" "$status $(cells out)" "0 1 2 3 4 "
 

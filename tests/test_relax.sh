@@ -84,7 +84,7 @@ refuses 'line 2: x, y or z is not a number'
 printf 'cell\tx\ty\tz\n1\t110\t0\t0\n1\t0\t50\t0\n' > in
 refuses 'cell 1: a polygon needs at least 3 corners'
 printf 'cell\tx\ty\tz\n1\t0\t50\t0\n1\t110\t0\t0\n1\t0\t0\t40\n' > in
-refuses 'cell 1: the corners run clockwise (their turns sum up to less than 0)'
+refuses 'cell 1: the corners run clockwise (their turning angles add up to less than 0)'
 "$relax" --help > out
 has 'help names the options' out '--reward A'
 

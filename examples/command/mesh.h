@@ -52,6 +52,9 @@ static void read_mesh(mesh *m, lines *in, const options *o)
     source.context = in;
     if (mesh_file_read(&m->file, &source, NULL, &error) != MESH_OK) die("%s", error.text);
     if (m->file.faces == 0) die("%s: there are no faces in it", in->name);
+    if (m->file.infinite_line)
+        remark("%s:%lu: a vertex is not finite: no face with it is measured", in->name,
+               (unsigned long)m->file.infinite_line);
     if (m->surface == EMBEDDED) find_normals(m, in->name);
 }
 

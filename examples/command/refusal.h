@@ -9,13 +9,13 @@ static const char *advice(const measure *m, const options *o)
 {
     switch (m->status) {
     case SURFMINK_CLOCKWISE:
-        if (o->reverse == REVERSE_ALWAYS) return "; --reverse auto turns only such outlines round";
+        if (o->reverse == REVERSE_ALWAYS) return "; --reverse auto reverses only such outlines";
         if (m->surface == SPHERE)
             return "; --reverse auto measures the other side of such outlines; or were lon and lat exchanged?";
-        if (m->surface != PLANE) return "; --reverse auto turns such outlines round; or normals point inwards";
-        return m->is_mirrored ? "; --reverse auto turns such outlines round"
-                              : "; --reverse auto turns such outlines round; if y points down, as in images, "
-                                "--y-down does, and keeps directions right";
+        if (m->surface != PLANE) return "; --reverse auto reverses such outlines; or normals point inwards";
+        return m->is_mirrored ? "; --reverse auto reverses such outlines"
+                              : "; --reverse auto reverses such outlines; if y points down, as in images, use "
+                                "--y-down instead: it also keeps directions right";
     case SURFMINK_OPPOSITE_NORMALS:
         return m->has_means ? ": they are means over faces, and these meet too sharply here; a finer mesh helps, or "
                               "one with normals of its own"

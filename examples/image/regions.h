@@ -281,6 +281,29 @@ static inline int regions_fill_lines(regions *r, image_error *error)
     return 1;
 }
 
+/* Does a row of at most two pixels of 0 begin at `at`, behind one cell and before another? `next` leads on, `room` pixels
+   are left. */
+static inline int regions__parts(const regions *r, size_t at, size_t next, size_t room)
+{
+    uint32_t before = r->of[at - next], behind = 0;
+    if (room > 1) behind = r->of[at + next];
+    if (!behind && room > 2) behind = r->of[at + 2 * next];
+    return behind && behind != before;
+}
+
+/* Is most of the border between cells and 0 that of lines? */
+static inline int regions_have_lines(const regions *r)
+{
+    size_t row, column, sides = 0, lines = 0, at = 0;
+    for (row = 0; row < r->height; ++row)
+        for (column = 0; column < r->width; ++column, ++at) {
+            if (r->of[at]) continue;
+            if (column && r->of[at - 1]) ++sides, lines += (size_t)regions__parts(r, at, 1, r->width - column);
+            if (row && r->of[at - r->width]) ++sides, lines += (size_t)regions__parts(r, at, r->width, r->height - row);
+        }
+    return 2 * lines > sides;
+}
+
 /* --- counts ------------------------------------------------------------------------------------------------------- */
 
 /* How many pixels each cell has, and which touch the border. */

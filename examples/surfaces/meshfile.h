@@ -1604,6 +1604,7 @@ static inline double *mesh_file_means(const mesh_file *f)
     if (!sum) return NULL;
     for (i = 0; i < f->faces; ++i) {
         mesh_file_area(f, i, area);
+        if (!(fabs(area[0]) + fabs(area[1]) + fabs(area[2]) <= DBL_MAX)) continue; /* its neighbours have a normal */
         for (j = f->begin[i]; j < f->begin[i + 1]; ++j)
             for (k = 0; k < 3; ++k) sum[3 * (size_t)f->joint[f->corner[j]] + (size_t)k] += area[k];
     }
