@@ -224,7 +224,7 @@ static int list_parts(part_list *list, const contours *c, size_t *named)
     for (k = 0; k < c->loops; ++k)
         if (c->part[k] >= count) count = c->part[k] + 1;
     list->number = (size_t *)calloc(count + 1, sizeof *list->number);
-    list->outer = (size_t *)malloc((count + 1) * sizeof *list->outer);
+    list->outer = (size_t *)calloc(count + 1, sizeof *list->outer);
     list->status = (int *)malloc((c->loops + 1) * sizeof *list->status);
     if (!list->number || !list->outer || !list->status) return 0;
     for (k = 0; k < count; ++k) list->outer[k] = CONTOUR_NONE;

@@ -35,6 +35,7 @@
 #include "surfmink.h"
 #endif
 #include <math.h>
+#include <string.h>
 
 /* How an energy E of one outline changes with what surfmink_measure says of it: its derivatives. Each may be NULL: E
    does not depend on that. If E is not linear in mu, its weights depend on mu: measure first.
@@ -474,6 +475,7 @@ static inline int surfmink_gradient(const surfmink_outline *outline, int max_ran
     size_t n = outline->n;
     double turn;
     int status;
+    memset(&t, 0, sizeof t);
     t.length = scratch;
     t.phase = t.step = scratch + n;
     t.by_length = scratch + 2 * n;
@@ -616,7 +618,8 @@ static inline void surfmink_gradient__rank_noise(const surfmink_outline *o, surf
                                                  double deviation, double *part[3], double *sigma, double *bias)
 {
     const double least = sqrt(3.14159265358979323846) * (deviation / t->w.length);
-    const double re = t->g[2 * p] / t->w.length, im = t->g[2 * p + 1] / t->w.length, mu = sqrt(re * re + im * im);
+    const double *g = t->g + 2 * (size_t)p;
+    const double re = g[0] / t->w.length, im = g[1] / t->w.length, mu = sqrt(re * re + im * im);
     double w[2], *by_g = t->by_g + 2 * (size_t)p, aa, bb, ab, al, shift = 0, length, square, angle;
     size_t i, numbers = o->n * (o->kind == SURFMINK_PLANE ? 2 : 3);
     w[0] = mu > 1e-14 ? re / mu : 1;
@@ -681,6 +684,7 @@ static inline int surfmink_noise(const surfmink_outline *outline, int max_rank, 
     double *part[3];
     int i, p, status = deviation >= 0 && deviation < 1e307 ? SURFMINK_OK : SURFMINK_BAD_ARGUMENT;
     if (status != SURFMINK_OK) return surfmink_gradient__blame(status, n, out->bad);
+    memset(&t, 0, sizeof t);
     t.length = scratch;
     t.phase = scratch + n;
     t.by_length = scratch + 2 * n;

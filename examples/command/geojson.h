@@ -151,7 +151,7 @@ static void check_crs(geojson *g, int depth)
     for (; at < g->json.at && g->on_sphere; ++at) {
         if (strncmp(g->json.text + at, "EPSG:", 5) != 0) continue;
         code = strrchr(g->json.text + at, ':') + 1;
-        if (atoi(code) < 4000 || atoi(code) > 4999)
+        if (strtol(code, NULL, 10) / 1000 != 4)
             die("%s:%lu: the coordinates are in EPSG:%.8s, not in degrees: ogr2ogr -t_srs EPSG:4326 converts them, "
                 "--surface plane measures the map",
                 g->json.in->name, g->json.line, code);

@@ -70,8 +70,10 @@ static int next_of_mesh(mesh *m, polygon *p)
     p->has_means = m->mean != NULL;
     for (i = f->begin[face]; i < f->begin[face + 1]; ++i) {
         size_t v = f->corner[i];
+        const double *x = f->vertex + 3 * v;
         const double *normal = m->mean ? m->mean + 3 * v : f->normals ? mesh_file_normal(f, i) : NULL;
-        add_corner(p, f->vertex + 3 * v, normal, f->line[face]);
+        if (!isfinite(x[0]) || !isfinite(x[1]) || !isfinite(x[2])) find_fault(p, SURFMINK_NOT_FINITE, f->line[face]);
+        add_corner(p, x, normal, f->line[face]);
     }
     return 1;
 }

@@ -253,9 +253,9 @@ static void watch_radius(table *t, const double *x)
     if (radius > t->farthest) t->farthest = radius;
     if (!(t->farthest > MOST_UNLIKE * t->nearest)) return;
     if (warns(WARN_RADIUS))
-        remark("%s:%lu: corners lie %.3g to %.3g from the origin: a sphere is to have its middle there, and only the "
-               "directions of corners count",
-               t->in->name, t->in->number, t->nearest, t->farthest);
+        remark("%s:%lu: corners lie up to %.0f %% farther from the origin than others: a sphere has its middle there, "
+               "and only the directions of corners count",
+               t->in->name, t->in->number, 100 * (t->farthest / t->nearest - 1));
     t->farthest = -1; /* once a file */
 }
 

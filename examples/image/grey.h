@@ -445,10 +445,9 @@ static inline double grey__area(const grey__piece *piece)
 /* The point of a square at its corner k or, with a part of the way, towards the next corner. */
 static inline int grey__add_point(const grey__trace *t, grey__piece *piece, size_t square, size_t k, double part)
 {
-    size_t width = t->g->im->width;
-    double row = (double)(square / width + grey__corner_row[k]),
-           column = (double)(square % width + grey__corner_column[k]);
-    return grey__add_to_piece(t, piece, column + part * grey__column[k], row + part * grey__row[k]);
+    size_t width = t->g->im->width, row = square / width + grey__corner_row[k];
+    size_t column = square % width + grey__corner_column[k];
+    return grey__add_to_piece(t, piece, (double)column + part * grey__column[k], (double)row + part * grey__row[k]);
 }
 
 /* The pieces of a square on one side of the level. Sets area[k] for a corner k that has a piece of its own, or is the

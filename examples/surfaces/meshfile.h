@@ -1594,18 +1594,19 @@ static inline void mesh_file_area(const mesh_file *f, size_t face, double area[3
     }
 }
 
-/* The normals of the vertices: sums of the area vectors of the faces there, not made unit. Copies of a vertex have the
-   same one. The faces must have been oriented. 3 per vertex, for the caller to free; NULL if there is no memory. */
+/* The normals of the vertices: sums of the area vectors of the faces there, not made unit; of those that are finite, so
+   that one bad vertex does not spoil its neighbours. Copies of a vertex have the same one. The faces must have been
+   oriented. 3 per vertex, for the caller to free; NULL if there is no memory. */
 static inline double *mesh_file_means(const mesh_file *f)
 {
     double *sum = (double *)calloc(3 * f->vertices + 1, sizeof *sum), area[3];
     size_t i, j, v;
-    int k;
+    int k, is_finite;
     if (!sum) return NULL;
     for (i = 0; i < f->faces; ++i) {
         mesh_file_area(f, i, area);
-        if (!(fabs(area[0]) + fabs(area[1]) + fabs(area[2]) <= DBL_MAX)) continue; /* its neighbours have a normal */
-        for (j = f->begin[i]; j < f->begin[i + 1]; ++j)
+        is_finite = fabs(area[0]) + fabs(area[1]) + fabs(area[2]) <= DBL_MAX;
+        for (j = f->begin[i]; j < f->begin[i + 1] && is_finite; ++j)
             for (k = 0; k < 3; ++k) sum[3 * (size_t)f->joint[f->corner[j]] + (size_t)k] += area[k];
     }
     for (v = 0; v < f->vertices; ++v)
