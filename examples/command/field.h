@@ -274,7 +274,7 @@ typedef struct taken {
     int count;
 } taken;
 
-static void take(taken *all, const double middle[2], double half_width, double half_height)
+static void occupy(taken *all, const double middle[2], double half_width, double half_height)
 {
     int k;
     for (k = 0; k < 2; ++k) all->middle[all->count][k] = middle[k];
@@ -308,7 +308,7 @@ static void put_charge(FILE *out, const field_panel *panel, int p, const patic_d
         if (is_free(all, middle, half)) break;
     }
     if (k == 4) return;
-    take(all, middle, half[0], half[1]);
+    occupy(all, middle, half[0], half[1]);
     fputs("<text text-anchor=\"middle\" x=\"", out);
     put_decimals(out, middle[0], 1);
     fputs("\" y=\"", out);
@@ -328,7 +328,7 @@ static void put_defects(FILE *out, const patic *t, const field_panel *panel, int
         if (!is_in_front(t, panel, d)) continue;
         put_defect(out, panel, d, size);
         place_on_page(panel, d->x, page);
-        if (defects++ < LABELLED) take(&all, page, disc_radius(d, size), disc_radius(d, size));
+        if (defects++ < LABELLED) occupy(&all, page, disc_radius(d, size), disc_radius(d, size));
     }
     for (i = 0; i < t->defects && defects < LABELLED; ++i)
         if (is_in_front(t, panel, &t->defect[i])) put_charge(out, panel, p, &t->defect[i], size, &all);
