@@ -267,7 +267,7 @@ all=$(echo tests/test_*.c)
 some="tests/test_batch.c tests/test_errors.c tests/test_measure.c tests/test_properties.c tests/test_reference.c"
 singles=$(echo "$some" | sed 's|tests/test_batch.c ||')
 # what valgrind takes too long for, or whose long double has not the digits: test_gradient
-slow='batch|convergence|curve|gradient|grey|long|measure|mesh|outlines|paper|patic|statements|surfaces'
+slow='batch|convergence|curve|field|gradient|grey|long|measure|mesh|outlines|paper|patic|statements|surfaces'
 quick=$(echo "$all" | tr ' ' '\n' | grep -vE "test_($slow)" | tr '\n' ' ')
 theorems() {
     programs=$1 fewer=$2 runner=$3
