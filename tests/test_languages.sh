@@ -81,7 +81,7 @@ check "cells.R" "$(Rscript examples/languages/cells.R examples/languages/surfmin
 
 # What the modules promise, and the places where surfmink.py looks.
 check "surfmink.py" "$(python3 tests/check/languages.py "$surfmink" "${surfmink%/*}/patic" examples/data/tissue.tsv \
-    examples/data/h3_res2.tsv)" "42 passed, 0 failed"
+    examples/data/h3_res2.tsv)" "43 passed, 0 failed"
 check "surfmink_r.c" "$(Rscript tests/check/languages.R examples/languages/surfmink_r.so 2>&1)" "18 passed, 0 failed"
 gfortran -std=f2018 -Wall -Wextra -Werror -J. examples/languages/surfmink.f90 tests/check/languages.f90 $linked \
     -o modules 2>&1
