@@ -103,7 +103,7 @@ static size_t plant(enum planted fault, bytes *in, sheet *written, sheet *change
         --written->vertices;
         memmove(written->x + v, written->x + v + 1, (written->vertices - v) * sizeof written->x[0]);
         break;
-    case NOT_A_NUMBER: written->x[v][c % 3] = (double)NAN; return 0;
+    case NOT_A_NUMBER: written->x[v][c % 3] = changed->x[v][c % 3] = (double)NAN; return 0; /* a hole */
     case MOVED: memcpy(written->x[v], written->x[w], sizeof written->x[v]); break;
     case BOW_TIE:
         for (i = 0; i < 3; ++i) {
@@ -182,6 +182,7 @@ static int says_face(char *const *field, const sheet *s, size_t face, int joins)
             for (k = 0; k < 4; ++k) {
                 if (s->corner[i][k] != v && !(joins && same_place(s->x[s->corner[i][k]], x[c]))) continue;
                 area_of(s, i, area);
+                if (!isfinite(area[0]) || !isfinite(area[1]) || !isfinite(area[2])) continue; /* a bad vertex */
                 normal[c][0] += area[0], normal[c][1] += area[1], normal[c][2] += area[2];
             }
         below += normal[c][2] < 0;
