@@ -112,7 +112,7 @@ for width in 1 2 3; do
             print (x >= 5 && x < 5 + w) || (y >= 5 && y < 5 + w) ? 0 : 1 + (x > 5) + 2 * (y > 5)
     }' > lined.pgm
     for option in "" --lines; do
-        "$outlines" lined.pgm $option 2>&1 > out | grep -c 'lined.pgm: lines of 0 part the cells: --lines shares them out'
+        "$outlines" lined.pgm $option 2>&1 > out | grep -c 'lined.pgm: lines of 0 part the cells: --lines'
     done
 done | tr '\n' ' ' > said
 check "lines of 0 without --lines are told" "$(cat said)" "1 0 1 0 0 0 "

@@ -281,8 +281,8 @@ static inline int regions_fill_lines(regions *r, image_error *error)
     return 1;
 }
 
-/* Does a row of at most two pixels of 0 begin at `at`, behind one cell and before another? `next` leads on, `room` pixels
-   are left. */
+/* Does a row of at most two pixels of 0 begin at `at`, behind one cell and before another? `next` leads on, `room`
+   pixels are left. */
 static inline int regions__parts(const regions *r, size_t at, size_t next, size_t room)
 {
     uint32_t before = r->of[at - next], behind = 0;
