@@ -181,7 +181,7 @@ mutants:
 	@mkdir -p $(BUILD)/mutants
 	python3 tests/mutants.py --jobs 2 $(MUTANTS) $(BUILD)/mutants
 
-check: all $(theories)
+check: all $(theories) $(BUILD)/test_outlines
 	@sh tests/run.sh $(BUILD)/check.total "sh tests/check.sh $(BUILD)/check"
 
 to = $(DESTDIR)$(PREFIX)

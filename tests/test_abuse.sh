@@ -59,7 +59,7 @@ cut_short() {
     size=$(wc -c < full.tmp) byte=0 untold='' unnoticed=0
     while [ "$byte" -lt "$size" ]; do
         head -c "$byte" full.tmp > "$file"
-        if [ $((byte % 4)) -eq 0 ]; then
+        if [ $((byte % 16)) -eq 0 ]; then
             run "$@"
         else
             run env ASAN_OPTIONS=detect_leaks=0 "$@" # which takes longer than all the rest
