@@ -552,19 +552,6 @@ typedef struct picture {
     grey squares;
 } picture;
 
-static int read_map(const picture *p, image *map, const char *name, image_error *error)
-{
-    if (!name) return 1;
-    if (!read_image(map, name, error)) return 0;
-    if (map->channels != 3)
-        return image_fail(error, name, "%lu numbers for each pixel: a map has three, x, y and z",
-                          (unsigned long)map->channels);
-    if (map->width != p->grey.width || map->height != p->grey.height)
-        return image_fail(error, name, "%lu x %lu pixels, and the image has %lu x %lu", (unsigned long)map->width,
-                          (unsigned long)map->height, (unsigned long)p->grey.width, (unsigned long)p->grey.height);
-    return 1;
-}
-
 static int read_picture(const options *o, picture *p, image_error *error)
 {
     const char *name = o->file[0];
@@ -578,7 +565,8 @@ static int read_picture(const options *o, picture *p, image_error *error)
     if (p->grey.channels != 1)
         return image_fail(error, name, "%lu pages or colours: a grey image has one number for each pixel",
                           (unsigned long)p->grey.channels);
-    if (!read_map(p, &p->positions, o->positions, error) || !read_map(p, &p->normals, o->normals, error)) return 0;
+    if (!read_map(&p->positions, o->positions, &p->grey, error) || !read_map(&p->normals, o->normals, &p->grey, error))
+        return 0;
     p->space.position = &p->positions;
     p->space.normal = o->normals ? &p->normals : NULL;
     p->space.flips = o->flip;

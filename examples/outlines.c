@@ -256,19 +256,6 @@ typedef struct run {
     FILE *off, *report, *painted;
 } run;
 
-static int read_map(const run *r, image *im, const char *name, image_error *error)
-{
-    if (!name) return 1;
-    if (!read_image(im, name, error)) return 0;
-    if (im->channels != 3)
-        return image_fail(error, name, "%lu numbers for each pixel: a map has three, x, y and z",
-                          (unsigned long)im->channels);
-    if (im->width != r->labels.width || im->height != r->labels.height)
-        return image_fail(error, name, "%lu x %lu pixels, and the label image has %lu x %lu", (unsigned long)im->width,
-                          (unsigned long)im->height, (unsigned long)r->labels.width, (unsigned long)r->labels.height);
-    return 1;
-}
-
 static int read_all(run *r, image_error *error)
 {
     const options *o = r->o;
@@ -276,7 +263,9 @@ static int read_all(run *r, image_error *error)
     if (r->labels.channels != 1)
         return image_fail(error, o->labels, "%lu pages or colours: a label image has one number for each pixel",
                           (unsigned long)r->labels.channels);
-    if (!read_map(r, &r->positions, o->positions, error) || !read_map(r, &r->normals, o->normals, error)) return 0;
+    if (!read_map(&r->positions, o->positions, &r->labels, error) ||
+        !read_map(&r->normals, o->normals, &r->labels, error))
+        return 0;
     if (!regions_read(&r->map, &r->labels, o->background, o->wraps, error)) return 0;
     image_free(&r->labels);
     if (o->lines && !regions_fill_lines(&r->map, error)) return 0;

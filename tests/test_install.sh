@@ -10,15 +10,15 @@ version=$(sed -n '1s/.* v\([0-9.]*\) .*/\1/p' surfmink.h)
 unset MAKEFLAGS MFLAGS MAKELEVEL PKG_CONFIG_PATH CMAKE_PREFIX_PATH # of the make that runs this test, and of the user
 
 files() {
-    (cd "$work/root" && find . -type f | sort)
+    (cd "$work/stage" && find . -type f | sort)
 }
 
 # others have been here before
-mkdir -p "$work/root/usr/include" "$work/root/usr/share/cmake/other"
-echo > "$work/root/usr/include/surfmink_other.h"
-echo > "$work/root/usr/share/cmake/other/other-config.cmake"
+mkdir -p "$work/stage/usr/include" "$work/stage/usr/share/cmake/other"
+echo > "$work/stage/usr/include/surfmink_other.h"
+echo > "$work/stage/usr/share/cmake/other/other-config.cmake"
 files > "$work/before"
-$make -s install BUILD="$build" DESTDIR="$work/root" PREFIX=/usr > "$work/said" 2>&1
+$make -s install BUILD="$build" DESTDIR="$work/stage" PREFIX=/usr > "$work/said" 2>&1
 check "make install says nothing" "$? $(cat "$work/said")" "0 "
 files | comm -13 "$work/before" - | tr '\n' ' ' > "$work/new"
 check "make install: header, commands, man pages, CMake and pkg-config files" "$(cat "$work/new")" "$(echo \
@@ -27,19 +27,19 @@ check "make install: header, commands, man pages, CMake and pkg-config files" "$
     ./usr/share/man/man1/levelset.1 ./usr/share/man/man1/outlines.1 ./usr/share/man/man1/patic.1 \
     ./usr/share/man/man1/surfmink.1 ./usr/share/pkgconfig/surfmink.pc) "
 for command in levelset outlines patic surfmink; do
-    "$work/root/usr/bin/$command" --help > "$work/said" 2>&1
+    "$work/stage/usr/bin/$command" --help > "$work/said" 2>&1
     check "the installed $command runs" $? 0
 done
-has "the version of the pkg-config file" "$work/root/usr/share/pkgconfig/surfmink.pc" "Version: $version"
+has "the version of the pkg-config file" "$work/stage/usr/share/pkgconfig/surfmink.pc" "Version: $version"
 sed 's,"../surfmink.h",<surfmink.h>,' examples/octant.c > "$work/octant.c"
-$cc -std=c99 "-I$work/root/usr/include" "$work/octant.c" -o "$work/octant" -lm && "$work/octant" > "$work/said" 2>&1
+$cc -std=c99 "-I$work/stage/usr/include" "$work/octant.c" -o "$work/octant" -lm && "$work/octant" > "$work/said" 2>&1
 has "a program with the installed header" "$work/said" "mu_3 = 1.000000"
 for again in "" ", again"; do
-    $make -s uninstall BUILD="$build" DESTDIR="$work/root" PREFIX=/usr > "$work/said" 2>&1
+    $make -s uninstall BUILD="$build" DESTDIR="$work/stage" PREFIX=/usr > "$work/said" 2>&1
     check "make uninstall says nothing$again" "$? $(cat "$work/said")" "0 "
     check "make uninstall leaves the files of others$again" "$(files)" "$(cat "$work/before")"
 done
-check "make uninstall removes its folder" "$(find "$work/root" -name surfmink)" ""
+check "make uninstall removes its folder" "$(find "$work/stage" -name surfmink)" ""
 
 # --- docs/install.md, with a repository as its readers have cloned it -------------------------------------------------
 [ "$tools" = --tools ] || { totals; exit; }

@@ -248,7 +248,7 @@ refuses "nowhere.tif: No such file or directory" nowhere.tif --off new.off
 refuses "nowhere/new.off: cannot be written: No such file or directory" four.pgm --off nowhere/new.off
 refuses "xyz.npy: 3 pages or colours: a label image has one number for each pixel" xyz.npy --off new.off
 refuses "four.pgm: 1 numbers for each pixel: a map has three, x, y and z" four.pgm --positions four.pgm --off new.off
-refuses "xyz.npy: 8 x 6 pixels, and the label image has 9 x 5" bad.pgm --positions xyz.npy --report new.tsv
+refuses "xyz.npy: 8 x 6 pixels, and the image has 9 x 5" bad.pgm --positions xyz.npy --report new.tsv
 printf 'id\tn\n1\t1.5\n' > half
 run four.pgm --paint half --column n --out half.tif
 refuses "half.tif: row 1, column 1: 1.5 is no whole number: labels are wanted, not a grey image" half.tif --off new.off

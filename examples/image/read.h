@@ -64,11 +64,24 @@ static inline int read__decode(image *im, image_error *error)
                                                                    : "a PAM");
 }
 
-/* The image in a file, - is standard input. Whatever comes of it, image_free gives the memory
-   back. */
+/* The image in a file, - is standard input. Whatever comes of it, image_free gives the memory back. */
 static inline int read_image(image *im, const char *name, image_error *error)
 {
     return image_load(im, name, read_is_foreign, error) && read__decode(im, error);
+}
+
+/* A map of the pixels of an image: three numbers for each. Without a name there is none, and the map stays empty. */
+static inline int read_map(image *map, const char *name, const image *of, image_error *error)
+{
+    if (!name) return 1;
+    if (!read_image(map, name, error)) return 0;
+    if (map->channels != 3)
+        return image_fail(error, name, "%lu numbers for each pixel: a map has three, x, y and z",
+                          (unsigned long)map->channels);
+    if (map->width != of->width || map->height != of->height)
+        return image_fail(error, name, "%lu x %lu pixels, and the image has %lu x %lu", (unsigned long)map->width,
+                          (unsigned long)map->height, (unsigned long)of->width, (unsigned long)of->height);
+    return 1;
 }
 
 #endif
