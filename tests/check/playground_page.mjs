@@ -51,6 +51,33 @@ async function open(options = {}, fragment = "") {
   return tab;
 }
 
+// A tap and its click, which browsers send later, and what the page then draws. The page scrolls there first and comes
+// to rest: a tap that stops a moving page is no click.
+async function tap(target) {
+  const tab = target.page();
+  await target.scrollIntoViewIfNeeded();
+  await tab.waitForTimeout(300);
+  const clicked = tab.evaluate(
+    () =>
+      new Promise((drawn) => {
+        setTimeout(drawn, 3000); // there was none: what follows fails
+        addEventListener("click", () => requestAnimationFrame(() => requestAnimationFrame(drawn)), { once: true });
+      }),
+  );
+  await target.tap();
+  await clicked;
+  await settle(tab);
+}
+
+// A tab on a telephone, and what fingers do there: touch("touchStart", [x, y], ...).
+async function openTelephone(viewport) {
+  const tab = await open({ viewport, deviceScaleFactor: 2, hasTouch: true, isMobile: true });
+  const session = await tab.context().newCDPSession(tab);
+  const touch = (type, ...points) =>
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  return { tab, touch };
+}
+
 async function close(tab, name) {
   check(name + ": nothing in the console", tab.said.length === 0, tab.said);
   check(name + ": no request", tab.asked.length === 0, tab.asked);
@@ -899,18 +926,10 @@ if (wanted("trouble")) {
 
 // --- fingers, on a telephone -----------------------------------------------------------------------------------------
 if (wanted("fingers")) {
-  const tab = await open({
-    viewport: { width: 360, height: 740 },
-    deviceScaleFactor: 2,
-    hasTouch: true,
-    isMobile: true,
-  });
-  const session = await tab.context().newCDPSession(tab);
-  const touch = (type, ...points) =>
-    session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const { tab, touch } = await openTelephone({ width: 360, height: 740 });
   for (const name of ["plane", "sphere", "ellipsoid", "torus"]) {
-    await tab.tap(`#kinds label:has([value=${name}])`);
-    if (name === "sphere") await tab.tap("[data-preset=regular]");
+    await tap(tab.locator(`#kinds label:has([value=${name}])`));
+    if (name === "sphere") await tap(tab.locator("[data-preset=regular]"));
     await tab.locator("#stage").scrollIntoViewIfNeeded();
     const before = await agrees(tab, name + ", telephone");
     const [x, y] = await cornerPlace(tab, 2);
@@ -933,7 +952,7 @@ if (wanted("fingers")) {
     await tab.waitForTimeout(700);
     await touch("touchEnd");
     check(name + ": a long press removes a corner", (await tab.locator("#corners button").count()) === count - 1);
-    await tab.tap("#undo");
+    await tap(tab.locator("#undo"));
     const stage = await tab.locator("#stage").boundingBox(),
       scale = await tab.evaluate(() => view.scale);
     const [cx, cy] = [stage.x + stage.width / 2, stage.y + stage.height - 30];
@@ -941,7 +960,7 @@ if (wanted("fingers")) {
     for (let i = 1; i <= 4; i++) await touch("touchMove", [cx - 30 - 8 * i, cy], [cx + 30 + 8 * i, cy]);
     await touch("touchEnd");
     check(name + ": two fingers zoom", (await tab.evaluate(() => view.scale)) > 1.3 * scale);
-    await tab.tap("#fit");
+    await tap(tab.locator("#fit"));
     const place = await tab.evaluate(() => {
       const e = (outline.base + 2) % count(),
         all = [...found.edgeOf.keys()].filter((i) => found.edgeOf[i] === e);
@@ -958,7 +977,7 @@ if (wanted("fingers")) {
     );
     await agrees(tab, name + ", telephone, added");
   }
-  for (const summary of await tab.locator("summary").all()) await summary.tap();
+  for (const summary of await tab.locator("summary").all()) await tap(summary);
   for (const width of [360, 320, 768]) {
     await tab.setViewportSize({ width, height: 740 });
     await settle(tab);
@@ -984,15 +1003,7 @@ const phones = [
 ];
 for (const [width, height, window] of wanted("phone") ? phones : []) {
   const name = `${width} x ${height}, ${window} of it`;
-  const tab = await open({
-    viewport: { width, height: window },
-    deviceScaleFactor: 2,
-    hasTouch: true,
-    isMobile: true,
-  });
-  const session = await tab.context().newCDPSession(tab);
-  const touch = (type, ...points) =>
-    session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const { tab, touch } = await openTelephone({ width, height: window });
   const seen = () =>
     tab.evaluate(() =>
       ["#verdict", "#bars", "#stage"].filter((selector) => {
@@ -1003,7 +1014,7 @@ for (const [width, height, window] of wanted("phone") ? phones : []) {
   if (window === height)
     check(name + ": as it opens, verdict, bars and drawing are seen", !(await seen()).length, await seen());
   for (const preset of ["octant", "h3", "cell"]) {
-    await tab.tap(`[data-preset=${preset}]`);
+    await tap(tab.locator(`[data-preset=${preset}]`));
     check(`${name}, ${preset}: verdict, bars and drawing are seen`, !(await seen()).length, await seen());
     const [x, y] = await cornerPlace(tab, 0);
     const state = () =>
@@ -1029,8 +1040,9 @@ for (const [width, height, window] of wanted("phone") ? phones : []) {
     );
     check(`${name}, ${preset}: the hand below the finger does not cover the bars`, !covered);
     await touch("touchEnd");
+    await settle(tab);
   }
-  for (const summary of await tab.locator("summary").all()) await summary.tap();
+  for (const summary of await tab.locator("summary").all()) await tap(summary);
   const states = {
     "as it is": () => {},
     ellipsoid: () => document.querySelector("#kinds [value=ellipsoid]").click(),
