@@ -427,31 +427,32 @@ check "worst errors of smooth curves against quadruple precision" "
 check "the reference values, a sample" "$(quietly "/usr/bin/python3 tests/reference/reference.py --sample")"
 
 # --- the commands under sanitizers ------------------------------------------------------------------------------------
-object gcc -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
-gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I. $object"
+gcc_sanitize="gcc -std=c99 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -I."
+object $gcc_sanitize
+for command in surfmink levelset outlines patic tissue relax; do
+    echo "$gcc_sanitize $declared -c examples/$command.c -o $objects/sanitized-$command.o" \
+        > "$objects/sanitized-$command.sh"
+done
+# sanitized COMMAND [FILE]: the text that links it, with another file or without, in a folder of the check's own.
+sanitized() {
+    echo "$gcc_sanitize $objects/sanitized-$1.o $2 $object -o $here/$1 -lm"
+}
 check "the command's contract, with sanitizers and a decimal comma" "
     localedef --no-archive -i de_DE -f UTF-8 $here/de_DE.UTF-8 &&
     export LOCPATH=\$PWD/$here COMMA_LOCALE=de_DE.UTF-8 &&
-    $gcc_sanitize examples/surfmink.c tests/check/comma.c -o $here/surfmink -lm &&
+    $(sanitized surfmink tests/check/comma.c) &&
     $(quietly "ASAN_OPTIONS=detect_leaks=0 sh tests/test_pictures.sh $here/surfmink") &&
     $(quietly "ASAN_OPTIONS=detect_leaks=0 sh tests/test_command.sh $here/surfmink")" # abuse looks for leaks
-check "levelset's contract, with sanitizers" "$gcc_sanitize \
-    examples/levelset.c -o $here/levelset -lm &&
+check "levelset's contract, with sanitizers" "$(sanitized levelset) &&
     $(quietly "sh tests/test_levelset.sh $here/levelset .build/surfmink")"
-check "outlines' contract, with sanitizers" "mkdir -p $here/image &&
-    $gcc_sanitize examples/outlines.c -o $here/outlines -lm &&
-    $gcc_sanitize examples/image/rasterise.c -o $here/image/rasterise -lm &&
+check "outlines' contract, with sanitizers" "$(sanitized outlines) && mkdir -p $here/image &&
+    $gcc_sanitize $object examples/image/rasterise.c -o $here/image/rasterise -lm &&
     cp .build/test_outlines .build/surfmink $here && $(quietly "sh tests/test_outlines.sh $here")"
-check "relax's contract, with sanitizers" "$gcc_sanitize \
-    examples/relax.c -o $here/relax -lm &&
+check "relax's contract, with sanitizers" "$(sanitized relax) &&
     $(quietly "sh tests/test_relax.sh $here/relax .build/tissue .build/surfmink")"
-check "the commands under abuse, with sanitizers" "
-    for command in surfmink levelset tissue patic outlines; do
-        $gcc_sanitize examples/\$command.c -o $here/\$command -lm || echo \$command
-    done
-    $(quietly "sh tests/test_abuse.sh $here")"
-check "the tissue is what its generator makes, with sanitizers" "$gcc_sanitize \
-    examples/tissue.c -o $here/tissue -lm &&
+check "the commands under abuse, with sanitizers" "$(sanitized surfmink) && $(sanitized levelset) &&
+    $(sanitized outlines) && $(sanitized patic) && $(sanitized tissue) && $(quietly "sh tests/test_abuse.sh $here")"
+check "the tissue is what its generator makes, with sanitizers" "$(sanitized tissue) &&
     $here/tissue | cmp - examples/data/tissue.tsv"
 check "valgrind finds nothing in the demo's tissue" "valgrind -q --leak-check=full --error-exitcode=9 .build/surfmink \
     --svg $here/tissue.svg examples/data/tissue.tsv > $here/tissue.out"
