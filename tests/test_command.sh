@@ -149,6 +149,23 @@ printf 'x y\n\n0 0\n1 0\n# not an end\n1 1\n\n\n2 0\n3 0\n3 1\n' > in
 run
 measured "without ids a blank line ends a polygon" id "0 1"
 check "without ids: corners" "$(column n)" "3 3"
+printf 'cell x y\na 0 0\na 1 0\na 1 1\n>\na 5 5\na 6 5\na 6 6\n' > in
+run
+has "with ids what parts nothing is told" err "-:5: a blank line, or one with >, within outline a: it goes on"
+printf 'Unnamed: 0,x,y\n0,0,0\n1,1,0\n2,1,1\n' > in
+run
+measured "an index of pandas is no id" n 3
+for head in 'lon (rad),lat (rad)' 'ra [h],dec (deg)' 'lon,lat(arcsec)'; do
+    printf "$head\\n0,0\\n1,0\\n0,1\\n" > in
+    run
+    stopped "not in degrees: $head" "longitudes and latitudes are read in degrees: convert them"
+done
+printf 'index,shape-type,vertex-index,axis-0,axis-1,axis-2\n0,polygon,0,3,0,1\n0,polygon,1,3,10,2\n0,polygon,2,3,12,20\n' > in
+run --quiet
+check "napari, a stack" "$(column id) $(column area)" "0/3 89"
+printf 'lon lat\n0 0\n1 0\n0 1\n' > in
+run --y-down
+stopped "--y-down on a sphere" "--y-down is for x y of an image"
 printf '\357\273\277x\ty\tcell\t\r\n0\t0\ta\r\n1\t0\ta\r\n\r\n1\t1\ta' > in
 run
 measured "byte order mark, CRLF, no end of the last line" n 3
@@ -574,7 +591,7 @@ END
 cp rings.tsv in
 run
 refused "a ring that closes and goes on" several_rings 6 \
-    "-:6: A: the first corner comes again here, and the outline goes on: a hole, or another part, under the same id; \
+    "-:6: A: a ring closes here, and the outline goes on: a hole, or another part, under the same id; \
 --p"
 run --parts
 measured "--parts: each ring is an outline, holes are marked" id "A/0 A/1/hole A/2 B"
@@ -595,6 +612,61 @@ for first in 1 2 3 4 5 6; do
     check "a needle from corner $first" "$status $(column status)" "0 ok"
     has "a needle from corner $first is told" err ": 0: the outline goes there and back at this corner, a spike, of "
 done
+
+# A cut that leads to a hole and back, wherever the outline begins; a line that joins two parts; a ring left open.
+keyhole='0 0\n10 0\n10 10\n0 10\n0 0\n1 1\n3 3\n3 6\n6 6\n6 3\n3 3\n1 1\n'
+for head in 'x y' 'lon lat'; do
+    for first in 1 2 3 4 5 6 7 8 9 10 11 12; do
+        { echo "$head" && printf "$keyhole" | awk -v f="$first" '
+            { row[NR] = $0 } END { for (i = 0; i < 12; ++i) print row[(i + f - 1) % 12 + 1] }'; } > in
+        run
+        check "$head, a keyhole from corner $first" "$status" 2
+        run --quiet --parts
+        check "$head, its rings from corner $first" "$(column id) $(column n)" "0/0 0/1/hole 4 4"
+    done
+done
+printf 'x y\n1 0\n1 .5\n3 .5\n3 0\n4 0\n4 1\n3 1\n3 .5\n1 .5\n1 1\n0 1\n0 0\n' > in
+run
+refused "two parts joined by a line" seam 9 "along an edge of its own: a cut that leads to a hole, or to another part; --p"
+run --quiet --parts
+check "two parts: taken apart" "$(column id) $(column area)" "0/0 0/1 1 1"
+printf 'x y\n0 0\n6 0\n6 6\n0 6\n-1e-13 1e-13\n2 2\n2 4\n4 4\n4 2\n2 2\n' > in
+run
+refused "a ring that closes but for rounding" several_rings 6
+sed /e-13/d in > open && cp open in
+run
+refused "a hole behind a ring that is left open" several_rings 6
+run --quiet --parts
+check "and both" "$(column id) $(column area)" "0/0 0/1/hole 36 4"
+printf 'x y\n0 0\n6 0\n6 6\n0 6\n0 0\n6 0\n6 6\n0 6\n' > in
+run --parts
+check "an outline traced twice" "$status $(column status)" "2 ok several_rings"
+printf 'x y\n0 0\n1 0\n1 1\n2 1\n2 2\n1 2\n1 1\n0 1\n' > in
+run
+check "what touches itself is one outline" "$status $(column status)" "0 ok"
+
+# Spikes: along other corners than they came, or not exact.
+for whisker in '4 7\n4 5\n4 4' '4 7\n4 4' '4 5\n4 7\n4 4' '4 7\n3.9999999999999 4'; do
+    printf "x y\n0 0\n4 0\n4 4\n$whisker\n0 4\n" > in
+    run
+    check "a spike: $whisker" "$status $(field 1 L | cut -c 1-2) $(wc -l < err | tr -d ' ')" "0 2$(field 1 L | cut -c 2) 1"
+    has "it is told: $whisker" err "a spike, of which both sides count; --repair takes it out"
+    run --repair --quiet
+    check "it is taken out: $whisker" "$(field 1 n) $(field 1 L)" "4 16"
+    run --smooth 1
+    check "it is not smoothed: $whisker" "$status $(field 1 status)" "2 spike"
+done
+for lon in 180 179.99999999999997 179.9999999999 179.99999; do
+    printf "lon lat\n$lon -60\n60 -60\n-60 -60\n-180 -60\n-180 -90\n$lon -90\n" > in
+    run
+    check "a cap with its seam at $lon" "$status" 2
+    run --quiet --repair --merge 1e-6L
+    near "its L without, $lon" "$(field 1 L)" 2.68699438 1e-7
+    [ $lon = 179.99999 ] || run --quiet --repair
+    near "without --merge, $lon" "$(field 1 mu_3)" 1 1e-9
+done
+run --merge
+has "a spike that is not exact: with the way to take it out" err "--repair --merge 5e-08L takes it out"
 
 # Corners that almost coincide: a regular pentagon, its first corner again with an error, or a corner twice.
 pentagon() {
@@ -986,6 +1058,25 @@ sed '5s/1 -1 -1/1 -1 nan/' cube.off > nan.off
 run nan.off
 check "a vertex that is not finite" "$status $(column status)" "2 not_finite ok not_finite not_finite ok ok"
 has "its line" err "nan.off:5: a vertex is not finite: no face with it is measured"
+
+# A strip turns every second triangle round; where strips are sewn together corners come twice, and are no triangle.
+printf '# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n0 0 0 0 1 0 1 0 0 1 1 0 2 0 0 2 1 0 3 0 0 3 1 0
+TRIANGLE_STRIPS 1 11\n10 0 1 2 3 3 4 4 5 6 7\n' > strip.vtk
+run strip.vtk
+check "a strip of VTK" "$status $(cat err) $(column status)" "0  ok ok ok ok"
+# A triangle that is written as a quadrangle weighs as much in the normals of its neighbours.
+printf 'OFF\n5 4\n0 0 1\n2 0 0\n0 2 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 1\n' > single.off
+sed 's/3 0 1 2/4 0 1 2 2/' single.off > twice.off
+run single.off
+cp out want
+run --merge twice.off
+check "a face with a corner twice" "$(cat out)" "$(cat want)"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//2 3//1\n' > missing.obj
+run missing.obj
+stopped "a normal that is missing" "missing.obj:5: there is no normal 2"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n3\n' > long.obj
+run long.obj
+stopped "a face on two lines" "long.obj:4: a line that goes on in the next one is not read"
 run cube.off
 measured "a cube" id "0 1 2 3 4 5"
 check "faces" "$(column n)" "4 4 4 4 4 4"
@@ -1270,12 +1361,31 @@ printf '{"type": "MultiPolygon", "coordinates": [[[[160, -20], [180, -20], [180,
     [-170, -10], [-180, -10], [-180, -20]]]]}' > in
 run --quiet
 check "two halves of a ring enclose a hole" "$(column id) $(column status)" "0 0/hole1 ok ok"
+for ring in '[48, 120], [49, 120], [49, 121]' '[0, 0], [1, 0], [1, 91]' '[500000, 200000], [500010, 200000], [5e5, 200010]'; do
+    printf '{"type": "Polygon", "coordinates": [[%s]]}' "$ring" > in
+    run
+    refused "GeoJSON off the globe: $ring" bad_argument 1 "a latitude lies between -90 and 90"
+done
+for ring in '[-180, 60], [180, 60], [180, 90], [-180, 90]' '[-180, -60], [180, -60], [180, 60], [-180, 60]' \
+    '[-180, -90], [180, -90], [180, 90], [-180, 90]'; do
+    printf '{"type": "Polygon", "coordinates": [[%s]]}' "$ring" > in
+    run
+    check "GeoJSON, a box round the globe is not lost: $ring" "$status $(grep -c . out)" "2 2"
+done
+printf '{"type": "Polygon", "coordinates": [[[-170, 10], [170, 10], [170, 20], [-170, 20]]]}' > in
+run
+has "GeoJSON, an edge over 180 degrees is told" err ": 0: the edge from longitude -170 to 170 is taken the short way, acr"
+square='"geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1]]]}'
+printf '{"type": "Feature", %s}\n\036{"type": "Feature", "properties": {"name": "b"}, %s}\n' "$square" "$square" > in
+run
+measured "GeoJSON, a feature a line" id "0 b"
 json() {
     printf "$2" > in
     run
     stopped "GeoJSON, $1" "-:$3"
 }
 json "an object of another kind" '{"a": 1}' "1: an object that is not GeoJSON"
+json "glTF" '{"asset": {"version": "2.0"}, "meshes": []}' "1: glTF is not read: Blender or MeshLab saves it as PLY"
 json "TopoJSON" '{"type": "Topology", "arcs": []}' "1: TopoJSON is not read"
 json "cut short" '{"type": "Polygon",
  "coordinates": [[[0, 0], [1' "2: no GeoJSON: expected ']'"

@@ -368,7 +368,7 @@ foreign 'glTF\002' "binary glTF is not read: Blender or MeshLab saves it as PLY"
 foreign '<?xml version="1.0"?>\n<VTKFile type="PolyData">' \
     "XML of VTK is not read: ParaView saves it as PLY, or meshio convert IN OUT.ply"
 foreign '$MeshFormat\n4.1 0 8\n' \
-    "a Gmsh mesh is not read: gmsh IN -save -o OUT.ply2, or meshio convert IN OUT.ply"
+    "a Gmsh mesh is not read: gmsh IN -save -o OUT.stl, or meshio convert IN OUT.ply"
 foreign '\037\213\010' "compressed (gzip) is not read: gzip -dc FILE | ... - reads it"
 foreign '\377\377\376' "a FreeSurfer surface is not read: mris_convert IN OUT.stl"
 

@@ -202,10 +202,11 @@ static int cancel_pairs(seam_node **node, size_t *count, size_t *room)
     return joined;
 }
 
-/* The rings that the nodes now make come behind the others. What was cut may enclose a hole when it is joined. */
-static void link_rings(lonlat_rings *all, seam_node *node, size_t count)
+/* The rings that the nodes now make come behind the others. What was cut may enclose a hole when it is joined. Returns
+   their number: 0 if all that was there is the seam, as of a belt round the globe with two corners on each side. */
+static size_t link_rings(lonlat_rings *all, seam_node *node, size_t count)
 {
-    size_t a, i, holes = 0;
+    size_t a, i, holes = 0, before = all->count;
     int closes;
     for (a = 0; a < count; ++a) {
         size_t least = node[a].ring;
@@ -228,10 +229,12 @@ static void link_rings(lonlat_rings *all, seam_node *node, size_t count)
         else if (!r->hole && lonlat_area(all, r, 1, &closes) < 0 && closes)
             r->hole = ++holes;
     }
+    return all->count - before;
 }
 
 /* Turns the rings from `first` on, those of one feature, so that each is an outline: outer rings and holes run
-   counter-clockwise. On the sphere joins what was cut at the antimeridian; returns whether anything was. */
+   counter-clockwise. On the sphere joins what was cut at the antimeridian, unless a corner is none of a sphere; returns
+   whether anything was. */
 static int finish_rings(lonlat_rings *all, size_t first, int on_sphere)
 {
     size_t i, a, count, room, before = all->count, seams = 0;
@@ -239,19 +242,20 @@ static int finish_rings(lonlat_rings *all, size_t first, int on_sphere)
     int joined = 0;
     for (i = first; i < all->count; ++i) {
         lonlat_ring *r = &all->ring[i];
-        const double *p = all->point + 2 * r->first, *end = p + 2 * r->count;
+        const double *p = all->point + 2 * r->first, *end = p + 2 * r->count, *at;
+        for (at = p; at < end; at += 2) on_sphere &= fabs(at[1]) <= 90;
         if (r->count > 1 && fabs(p[0] - end[-2]) <= 0 && fabs(p[1] - end[-1]) <= 0) --r->count;
         if (is_clockwise(all, r, on_sphere) != (r->hole > 0)) reverse_ring(all, r);
     }
     node = on_sphere ? list_nodes(all, first, &count, &room) : NULL;
     for (a = 0; node && a < count; ++a) seams += (size_t)is_seam(node, a);
-    if (seams > 1) joined = cancel_pairs(&node, &count, &room);
-    if (joined) {
-        link_rings(all, node, count);
-        memmove(all->ring + first, all->ring + before, (all->count - before) * sizeof *all->ring);
-        all->count -= before - first;
-    }
+    if (seams > 1 && cancel_pairs(&node, &count, &room)) joined = link_rings(all, node, count) > 0;
     free(node);
+    if (joined) {
+        memmove(all->ring + first, all->ring + before, (all->count - before) * sizeof *all->ring);
+        before = first + all->count - before;
+    }
+    all->count = before;
     for (i = first; i < all->count; ++i)
         if (all->ring[i].hole) reverse_ring(all, &all->ring[i]);
     return joined;

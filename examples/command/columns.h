@@ -21,7 +21,7 @@ enum column {
 
 /* Names in small letters, what is not a letter or digit left out; the first is the one that messages use. */
 static const char *const column_name[COLUMNS][8] = {{"k", "vertexindex", "vertexpartindex", NULL},
-                                                    {"x", "col", "column", "axis1", "positionx", "points0", NULL},
+                                                    {"x", "col", "column", "positionx", "points0", NULL},
                                                     {"y", "positiony", "points1", NULL},
                                                     {"z", "positionz", "points2", NULL},
                                                     {"nx", "normalx", "normals0", NULL},
@@ -29,7 +29,7 @@ static const char *const column_name[COLUMNS][8] = {{"k", "vertexindex", "vertex
                                                     {"nz", "normalz", "normals2", NULL},
                                                     {"lon", "longitude", "lng", "long", "ra", NULL},
                                                     {"lat", "latitude", "dec", NULL},
-                                                    {"row", "axis0", NULL}};
+                                                    {"row", NULL}};
 
 /* Names of columns that make an outline what it is, and of columns that are measured. */
 static const char *const id_word[] = {
@@ -42,6 +42,11 @@ static const char *const measured_word[] = {"area",   "mean",   "perimeter", "le
                                             "sd",     "min",    "max",       "median",   "intensity", "type",
                                             "value",  "radius", "angle",     "distance", "score",     "width",
                                             "height", "color",  "colour",    "level",    NULL};
+
+/* Units that longitudes and latitudes are not in. */
+static const char *const foreign_unit[] = {"rad", "radian", "radians", "h",   "hr",    "hour",   "hours", "hms",  "dms",
+                                           "gon", "grad",   "arcmin",  "min", "arcsec", "sec",    "mas",   "hourangle",
+                                           NULL};
 
 static const char *const geometry_word[] = {"wkt", "geometry", "geom", "wkb", NULL};
 
@@ -140,9 +145,14 @@ static int is_known(const column_list *c, size_t place)
     return 0;
 }
 
-static void add_id(column_list *c, size_t place)
+/* In the order of --id, or of the columns. */
+static void add_id(column_list *c, size_t place, int in_order)
 {
-    if (c->ids < MOST_IDS) c->id[c->ids++] = place;
+    int i = c->ids;
+    if (c->ids == MOST_IDS) return;
+    for (; in_order && i > 0 && c->id[i - 1] > place; --i) c->id[i] = c->id[i - 1];
+    c->id[i] = place;
+    ++c->ids;
 }
 
 /* Names as a list for messages. */
@@ -167,9 +177,15 @@ static void take_ids(column_list *c, const lines *in, const char *list)
         for (i = 0; i < c->names && strcmp(c->name[i], wanted) != 0;) ++i;
         list_names(c, names, sizeof names);
         if (i == c->names) malformed(in, "no column '%s' for --id; the columns are: %s", wanted, names);
-        add_id(c, i);
+        add_id(c, i, 0);
         if (list[length] == '\0') return;
     }
+}
+
+/* pandas writes an index without a name, and reads it as Unnamed: 0. */
+static int is_unnamed(const char *name)
+{
+    return *name == '\0' || strncmp(name, "Unnamed: ", 9) == 0;
 }
 
 /* Without --id: all whose names say so; else the first other one, unless it is measured. A second order is no id, and
@@ -181,7 +197,7 @@ static void guess_ids(column_list *c)
     for (i = 0; i < c->names; ++i)
         if (!is_known(c, i) && !is_named(c->name[i], COLUMN_K, 1) && has_word(c->name[i], id_word) &&
             !has_word(c->name[i], measured_word))
-            add_id(c, i);
+            add_id(c, i, 1);
     if (c->ids == 1) {
         simplify_name(c->name[c->id[0]], simple, sizeof simple);
         if (strcmp(simple, "index") != 0) return;
@@ -190,8 +206,29 @@ static void guess_ids(column_list *c)
         return;
     }
     for (i = 0; i < c->names && c->ids == 0; ++i)
-        if (!is_known(c, i) && c->name[i][0] && !has_word(c->name[i], measured_word)) add_id(c, i);
-    if (c->ids == 0 && c->names > 0 && c->name[0][0] == '\0') c->unnamed = 0;
+        if (!is_known(c, i) && !is_unnamed(c->name[i]) && !has_word(c->name[i], measured_word)) add_id(c, i, 1);
+    if (c->ids == 0 && c->names > 0 && is_unnamed(c->name[0])) c->unnamed = 0;
+}
+
+/* napari has axis-0, axis-1, ...: the last two are row and column of an image, those before count images, unless an
+   axis is named by letter as well. */
+static void take_axes(column_list *c, int with_ids)
+{
+    size_t place[MOST_IDS], i;
+    char simple[32], name[32];
+    int axes = 0, k;
+    for (i = 0; axes < MOST_IDS && i < c->names;) {
+        simplify_name(c->name[i], simple, sizeof simple);
+        snprintf(name, sizeof name, "axis%d", axes);
+        if (strcmp(simple, name) == 0)
+            place[axes++] = i, i = 0;
+        else
+            ++i;
+    }
+    if (axes < 2 || has(c, COLUMN_X) || has(c, COLUMN_Y) || has(c, COLUMN_ROW)) return;
+    c->place[COLUMN_ROW] = place[axes - 2];
+    c->place[COLUMN_X] = place[axes - 1];
+    for (k = 0; with_ids && k + 2 < axes; ++k) add_id(c, place[k], 1);
 }
 
 static int is_id(const column_list *c, size_t place)
@@ -247,11 +284,23 @@ static void find_columns(column_list *c, const lines *in, const options *o)
             if (is_place && has(c, COLUMN_X) && has(c, COLUMN_Y)) continue; /* ra, dec, row may be anything then */
             if (!has(c, (enum column)k) && !is_known(c, i) && is_named(c->name[i], k, 1)) c->place[k] = i;
         }
+    take_axes(c, !o->id);
     if (has(c, COLUMN_ROW) && !has(c, COLUMN_Y)) c->place[COLUMN_Y] = c->place[COLUMN_ROW];
     if (o->id)
         take_ids(c, in, o->id);
     else
         guess_ids(c);
+}
+
+/* Longitudes and latitudes are degrees, whatever a name says in brackets: better not to read them. */
+static void check_degrees(const column_list *c, const lines *in)
+{
+    int k;
+    for (k = COLUMN_LON; k <= COLUMN_LAT; ++k) {
+        const char *name = has(c, (enum column)k) ? c->name[c->place[k]] : "", *unit = name + strcspn(name, "([");
+        if (*unit && has_word(unit, foreign_unit))
+            malformed(in, "column '%s': longitudes and latitudes are read in degrees: convert them", name);
+    }
 }
 
 /* Without --surface the columns say what they are; where they could be two things, they do not. */
@@ -332,6 +381,7 @@ static void read_columns(column_list *c, const lines *in, const options *o)
     for (i = 0; i < c->layout->columns; ++i)
         if (!has(c, c->layout->column[i]))
             malformed(in, "no column '%s'; the columns are: %s", column_name[c->layout->column[i]][0], names);
+    if (c->layout->lonlat) check_degrees(c, in);
     if (!o->id) tell_ids(c, in);
 }
 

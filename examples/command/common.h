@@ -100,6 +100,8 @@ enum warning {
     WARN_SIDE,
     WARN_STAIRS,
     WARN_UNEVEN,
+    WARN_LONG,
+    WARN_BREAK,
     WARNINGS
 };
 

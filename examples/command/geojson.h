@@ -126,6 +126,24 @@ static void begin_feature(geojson *g)
     g->first_of_feature = g->rings.count;
 }
 
+/* RFC 7946 has straight lines in lon lat, and cuts what crosses the antimeridian; many writers do not. */
+static void tell_long_edges(const geojson *g)
+{
+    size_t i, j;
+    for (i = g->first_of_feature; g->on_sphere && i < g->rings.count; ++i) {
+        const lonlat_ring *r = &g->rings.ring[i];
+        for (j = 0; j < r->count; ++j) {
+            const double *a = g->rings.point + 2 * (r->first + j);
+            const double *b = j + 1 < r->count ? a + 2 : g->rings.point + 2 * r->first;
+            if (fabs(a[0] - b[0]) > 180 && fabs(a[0] - b[0]) < 360 && fabs(a[1]) < 90 && fabs(b[1]) < 90 &&
+                warns(WARN_LONG))
+                remark("%s:%lu: %s: the edge from longitude %g to %g is taken the short way, across 180 degrees; "
+                       "corners in between lead it the long way",
+                       g->json.in->name, r->line, g->ids + r->id, a[0], b[0]);
+        }
+    }
+}
+
 static void end_feature(geojson *g)
 {
     if (g->id_name && g->id_rank < 6)
@@ -133,6 +151,7 @@ static void end_feature(geojson *g)
     if (finish_rings(&g->rings, g->first_of_feature, g->on_sphere))
         remark("%s:%lu: %s: pieces cut at the antimeridian are joined", g->json.in->name, g->json.line,
                g->ids + g->ids_length);
+    tell_long_edges(g);
     if (!says_nothing && is_seen(&g->seen, g->ids + g->ids_length) && warns(WARN_AGAIN))
         remark("%s:%lu: id %s comes again: --id takes the ids from another property", g->json.in->name, g->json.line,
                g->ids + g->ids_length);
@@ -164,7 +183,7 @@ static void read_object(geojson *g, int depth)
     const char *key, *type = "";
     size_t at = 0, end;
     unsigned long line = 0, end_line;
-    int levels;
+    int levels, is_gltf = 0;
     if (depth > DEEPEST_JSON) bad_json(&g->json, "nested too deeply");
     json_expect(&g->json, '{');
     if (json_next(&g->json) == '}') bad_json(&g->json, "an object without a type: not GeoJSON");
@@ -196,6 +215,7 @@ static void read_object(geojson *g, int depth)
             } while (json_takes(&g->json, ','));
             json_expect(&g->json, ']');
         } else {
+            is_gltf |= strcmp(key, "asset") == 0;
             json_skip(&g->json, depth);
         }
     } while (json_takes(&g->json, ','));
@@ -205,6 +225,7 @@ static void read_object(geojson *g, int depth)
     levels = strcmp(type, "Polygon") == 0 ? 1 : strcmp(type, "MultiPolygon") == 0 ? 2 : 0;
     if (!at && levels) bad_json(&g->json, "a polygon without coordinates");
     if (!levels && !strstr("Feature FeatureCollection GeometryCollection", *type ? type : "none")) {
+        if (!at && is_gltf) bad_json(&g->json, "glTF is not read: Blender or MeshLab saves it as PLY");
         if (!at) bad_json(&g->json, "an object that is not GeoJSON");
         ++g->left_out; /* points and lines */
     }
@@ -217,7 +238,7 @@ static void read_object(geojson *g, int depth)
 
 static void read_geojson(geojson *g, lines *in, const options *o)
 {
-    size_t room = 0, count;
+    size_t room = 0, count, before;
     memset(g, 0, sizeof *g);
     g->json.in = in;
     g->id_name = o->id;
@@ -232,10 +253,14 @@ static void read_geojson(geojson *g, lines *in, const options *o)
     } while (count > 0);
     if (g->json.size >= 3 && memcmp(g->json.text, "\xef\xbb\xbf", 3) == 0) g->json.at = 3;
     if (memchr(g->json.text, '\0', g->json.size)) bad_json(&g->json, "a zero byte: this is not plain text");
-    begin_feature(g);
-    g->features = 0;
-    read_object(g, 0);
-    if (g->rings.count > g->first_of_feature) end_feature(g);
+    do { /* one object; or features line by line */
+        before = g->features;
+        begin_feature(g);
+        g->features = before; /* those of a collection begin with the same number */
+        read_object(g, 0);
+        if (g->rings.count > g->first_of_feature) end_feature(g);
+        if (g->features == before) ++g->features;
+    } while (json_next(&g->json) == '{');
     if (json_next(&g->json)) bad_json(&g->json, "something follows the end of the GeoJSON");
     if (g->left_out)
         remark("%s: %lu points or lines are left out: they enclose nothing", in->name, (unsigned long)g->left_out);

@@ -21,7 +21,7 @@ static void bad_json(const json *j, const char *what)
 
 static char json_next(json *j)
 {
-    for (; j->at < j->size && strchr(" \t\r\n", j->text[j->at]); ++j->at)
+    for (; j->at < j->size && strchr(" \t\r\n\x1e", j->text[j->at]); ++j->at)
         if (j->text[j->at] == '\n') ++j->line;
     return (char)(j->at < j->size ? j->text[j->at] : '\0');
 }

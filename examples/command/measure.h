@@ -16,7 +16,8 @@ typedef struct measure {
     size_t crossing[2]; /* two edges that cross, or if the status is OK seem to; n: not known */
     unsigned long crossing_line[2];
     unsigned long hint_line; /* of what may be the cause of a refusal; 0: not known */
-    double hint_edge;        /* the cause: an edge so short, of the perimeter; 0: a spike */
+    double hint_edge;        /* the cause: an edge so short, of the perimeter; 0: a spike, */
+    double hint_width;       /* so wide, of the perimeter */
     int reversed;            /* --reverse auto turned it round */
     int surface;
     int has_means, is_mirrored; /* as in polygon */
@@ -343,8 +344,11 @@ static void find_hint(measure *one, const polygon *p)
     if (one->status != SURFMINK_CLOCKWISE && one->status != SURFMINK_CROSSES_ITSELF &&
         one->status != SURFMINK_TOO_MUCH_CURVATURE && one->status != SURFMINK_OK)
         return;
-    at = find_spike(p);
-    if (at < p->n) one->hint_line = p->line[at];
+    at = find_spike(p, &one->hint_width);
+    if (at < p->n) {
+        one->hint_line = p->line[at];
+        one->hint_width /= perimeter_of(p);
+    }
     if (at < p->n || one->status == SURFMINK_OK) return;
     at = find_short_edge(p, &one->hint_edge);
     if (at < p->n) one->hint_line = p->line[at + 1 < p->n ? at + 1 : 0];

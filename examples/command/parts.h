@@ -29,22 +29,29 @@ static void take_part(polygon *part, const polygon *p, size_t first, size_t end,
    part: room for one of them. */
 static void add_parts(batch *b, polygon *p, polygon *part, const options *o)
 {
-    size_t first, end, number = 0;
+    size_t first, end, next, seam[2], number = 0;
     double turn[3];
-    if (o->parts) {
+    int has_seam = 0;
+    if (o->parts && p->fault == SURFMINK_OK) {
         order_corners(p);
-        end = ring_end(p, 0);
-        if (end + 1 < p->n) {
-            area_vector(p, 0, end, turn);
-            for (first = 0; first < p->n; first = end + 1) {
-                end = ring_end(p, first);
-                take_part(part, p, first, end, number++, turn);
-                repair_polygon(part, o);
-                add_to_batch(b, part);
-            }
-            return;
-        }
+        if (p->fault == SURFMINK_OK) drop_closing_corner(p);
+        has_seam = p->fault == SURFMINK_OK && find_seam(p, seam);
+        if (has_seam) cut_seam(p, seam);
     }
+    for (first = 0; o->parts && first < p->n; first = next) {
+        end = ring_end(p, first);
+        next = end + 1;
+        if (first == 0 && end == p->n) next = end = hole_begin(p); /* the outer ring was left open */
+        if (first == 0 && next >= p->n) break;
+        if (first == 0) area_vector(p, 0, end, turn);
+        take_part(part, p, first, end, number++, turn);
+        if (has_seam) remove_spikes(part, o); /* the rest of the seam */
+        if (end == p->n && coincide(p, first, 1)) /* the first ring over again, and not to its end */
+            find_fault(part, FAULT_SEVERAL_RINGS, p->line[first]);
+        repair_polygon(part, o);
+        add_to_batch(b, part);
+    }
+    if (number > 0) return;
     repair_polygon(p, o);
     add_to_batch(b, p);
 }

@@ -7,13 +7,14 @@
 #include "options.h"
 
 /* What may be wrong with an outline beyond enum surfmink_status: what only a file can tell, or only a search. */
-enum fault { FAULT_BAD_ORDER = 1000, FAULT_SEVERAL_RINGS, FAULT_SHORT_EDGE, FAULT_SPIKE };
+enum fault { FAULT_BAD_ORDER = 1000, FAULT_SEVERAL_RINGS, FAULT_SEAM, FAULT_SHORT_EDGE, FAULT_SPIKE };
 
 static inline const char *status_name(int status)
 {
     switch (status) {
     case FAULT_BAD_ORDER: return "bad_order";
     case FAULT_SEVERAL_RINGS: return "several_rings";
+    case FAULT_SEAM: return "seam";
     case FAULT_SHORT_EDGE: return "short_edge";
     case FAULT_SPIKE: return "spike";
     default: return surfmink_curve_status_name(status);
@@ -25,7 +26,9 @@ static inline const char *status_text(int status)
     switch (status) {
     case FAULT_BAD_ORDER: return "k is no order: it is not whole, or twice the same, within this outline";
     case FAULT_SEVERAL_RINGS:
-        return "the first corner comes again here, and the outline goes on: a hole, or another part, under the same id";
+        return "a ring closes here, and the outline goes on: a hole, or another part, under the same id";
+    case FAULT_SEAM:
+        return "the outline goes back here along an edge of its own: a cut that leads to a hole, or to another part";
     case FAULT_SPIKE: return "the outline goes there and back at this corner, a spike, which smoothing would spread";
     case FAULT_SHORT_EDGE: return "this corner is all but that before it, which curves do not bear";
     default: return surfmink_curve_strerror(status);

@@ -50,7 +50,7 @@ static int tell_kind(lines *in)
     if (format == MESH_OTHER) die("%s: %s is not read: %s", in->name, what, how);
     first = in->block + in->next;
     i = in->end - in->next >= 3 && memcmp(first, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
-    while (i < in->end - in->next && strchr(" \t\r\n", first[i])) ++i;
+    while (i < in->end - in->next && strchr(" \t\r\n\x1e", first[i])) ++i; /* RFC 8142 has records */
     if (i < in->end - in->next && first[i] == '{') return READS_GEOJSON;
     return (format != MESH_UNKNOWN && format != -1) || is_named_mesh(in->name) ? READS_MESH : READS_TABLE;
 }

@@ -29,7 +29,9 @@ static const char *advice(const measure *m, const options *o)
     case SURFMINK_BAD_ARGUMENT:
         return ": a latitude lies between -90 and 90, a longitude within 1e6 degrees; x y of a map want --surface "
                "plane";
-    case FAULT_SEVERAL_RINGS: return "; --parts makes each ring an outline";
+    case FAULT_SEVERAL_RINGS:
+        return o->parts ? "" : "; --parts makes each ring an outline, --repair takes spikes and seams out";
+    case FAULT_SEAM: return "; --parts makes each ring an outline";
     case FAULT_SPIKE: return "; --repair takes it out";
     case FAULT_SHORT_EDGE: return "; --merge 1e-6L drops such corners";
     default: return "";
@@ -56,18 +58,28 @@ static const char *name_crossing(const measure *m, char *text, size_t size)
     return text;
 }
 
+/* What takes a spike out. */
+static const char *name_remedy(const measure *m, char *text, size_t size)
+{
+    if (m->hint_width <= nearly_closed)
+        snprintf(text, size, "--repair");
+    else
+        snprintf(text, size, "--repair --merge %.0eL", 2 * m->hint_width);
+    return text;
+}
+
 /* What is to be said about an outline that has been measured. */
 static void warn_about(const char *name, const measure *m, const options *o)
 {
-    char crossing[100];
+    char crossing[100], remedy[60];
     if (m->status != SURFMINK_OK) return;
     if (m->crossing[0] < m->n && warns(WARN_CROSSING))
         remark("%s:%lu: %s: %s as seen from above; the normals differ too much to tell whether they do on the surface",
                name, m->crossing_line[0], m->id, name_crossing(m, crossing, sizeof crossing));
     if (m->hint_line && warns(WARN_SPIKE))
         remark("%s:%lu: %s: the outline goes there and back at this corner, a spike, of which both sides count; "
-               "--repair takes it out",
-               name, m->hint_line, m->id);
+               "%s takes it out",
+               name, m->hint_line, m->id, name_remedy(m, remedy, sizeof remedy));
     if (m->surface == SPHERE && (m->reversed || o->reverse == REVERSE_ALWAYS) && warns(WARN_SIDE))
         remark("%s:%lu: %s: turned round: measured is the side to the right of the corners in the file, less than a "
                "hemisphere",
@@ -78,7 +90,7 @@ static void write_refusal(FILE *out, const char *name, const measure *m, const o
 {
     int crosses = m->status == SURFMINK_CROSSES_ITSELF && m->crossing[0] < m->n;
     unsigned long line = m->hint_line ? m->hint_line : crosses ? m->crossing_line[0] : m->line;
-    char crossing[100];
+    char crossing[100], remedy[60];
     put_harmless(out, name);
     if (line > 0) fprintf(out, ":%lu", line);
     fputs(": ", out);
@@ -89,7 +101,8 @@ static void write_refusal(FILE *out, const char *name, const measure *m, const o
         fprintf(out, "; the edge that ends here is only %.1g of the perimeter long: --merge %.0eL drops it",
                 m->hint_edge, 10 * m->hint_edge);
     else if (m->hint_line)
-        fputs("; the outline goes there and back at this corner, a spike: --repair takes it out", out);
+        fprintf(out, "; the outline goes there and back at this corner, a spike: %s takes it out",
+                name_remedy(m, remedy, sizeof remedy));
     else
         fputs(advice(m, o), out);
     fputc('\n', out);

@@ -12,6 +12,9 @@ static const double nearly_closed = 1e-12;
    noise, or 1e-6 of its size is. */
 static const double short_edge = 1e-6;
 
+/* A corner at which the outline turns back on itself within this angle, in radians, is a spike. */
+static const double spike_angle = 1e-5;
+
 /* --- distances ---------------------------------------------------------------------------------------------------- */
 
 /* From corner i to corner j, on a sphere of radius 1 between their directions. */
@@ -66,12 +69,41 @@ static size_t find_short_edge(const polygon *p, double *fraction)
     return least < short_edge * perimeter / (double)p->n ? at : p->n;
 }
 
-/* The tip of the first exact spike, an edge there and back; else n. */
-static size_t find_spike(const polygon *p)
+/* The edges from corner `tip` to corners i and j: what they are as vectors, or on a sphere the normals of their great
+   circles. Returns the sine of the angle between them, *width how far the end of the shorter one is from the other; 2
+   if they go different ways. */
+static double angle_between(const polygon *p, size_t tip, size_t i, size_t j, double *width)
 {
+    size_t stride = stride_of(p->surface), k;
+    const double *t = p->corner + tip * stride, *a = p->corner + i * stride, *b = p->corner + j * stride;
+    double u[3] = {0, 0, 0}, v[3] = {0, 0, 0}, u_norm, v_norm, height, cosine = 0;
+    for (k = 0; k < stride; ++k) {
+        size_t l = (k + 1) % 3, m = (k + 2) % 3;
+        u[k] = p->surface == SPHERE ? t[l] * a[m] - t[m] * a[l] : a[k] - t[k];
+        v[k] = p->surface == SPHERE ? t[l] * b[m] - t[m] * b[l] : b[k] - t[k];
+        cosine += u[k] * v[k];
+    }
+    if (!(cosine > 0)) return 2;
+    u_norm = hypot(hypot(u[0], u[1]), u[2]);
+    v_norm = hypot(hypot(v[0], v[1]), v[2]);
+    height = hypot(hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2]), u[0] * v[1] - u[1] * v[0]);
+    *width = height / (u_norm > v_norm ? u_norm : v_norm);
+    if (p->surface == SPHERE) *width /= hypot(hypot(t[0], t[1]), t[2]) * hypot(hypot(a[0], a[1]), a[2]);
+    return height / (u_norm * v_norm);
+}
+
+/* The tip of the first spike, where the outline turns back on itself along edges that are none of the short ones; else
+   n. *width: how wide it is. */
+static size_t find_spike(const polygon *p, double *width)
+{
+    double least = -1;
     size_t i;
-    for (i = 0; i < p->n && p->n >= 3; ++i)
-        if (coincide(p, i > 0 ? i - 1 : p->n - 1, i + 1 < p->n ? i + 1 : 0)) return i;
+    for (i = 0; i < p->n && p->n >= 3; ++i) {
+        size_t before = i > 0 ? i - 1 : p->n - 1, behind = i + 1 < p->n ? i + 1 : 0;
+        if (!(angle_between(p, i, before, behind, width) < spike_angle)) continue;
+        if (least < 0) least = short_edge * perimeter_of(p) / (double)p->n;
+        if (distance(p, before, i) >= least && distance(p, i, behind) >= least) return i;
+    }
     return p->n;
 }
 
@@ -165,15 +197,18 @@ static void order_corners(polygon *p)
     p->has_order = 0;
 }
 
+/* On a sphere of radius 1. */
+static double merge_distance(const polygon *p, const options *o)
+{
+    if (o->merge_relative) return o->merge_distance * perimeter_of(p);
+    return p->surface == SPHERE && o->radius > 0 ? o->merge_distance / o->radius : o->merge_distance;
+}
+
 /* surfmink_merge, but lines go along with their corners, and corners of a sphere are compared as directions. */
 static void merge_corners(polygon *p, const options *o)
 {
-    double near = o->merge_distance;
+    double near = merge_distance(p, o);
     size_t i, kept = 1;
-    if (o->merge_relative)
-        near *= perimeter_of(p);
-    else if (p->surface == SPHERE && o->radius > 0)
-        near /= o->radius;
     for (i = 1; i < p->n; ++i) {
         if (near > 0 ? distance(p, i, kept - 1) <= near : coincide(p, i, kept - 1)) continue;
         move_corner(p, kept++, i);
@@ -182,25 +217,36 @@ static void merge_corners(polygon *p, const options *o)
     while (p->n > 1 && (near > 0 ? distance(p, 0, p->n - 1) <= near : coincide(p, 0, p->n - 1))) --p->n;
 }
 
-/* Takes out exact spikes, however long: x, tip, x; x, y, tip, y, x; ... and with them seams, where an outline comes
-   back the way it went. */
-static void remove_spikes(polygon *p)
+/* Is corner `tip` one that its neighbours i and j do without: coinciding with i, or the tip of a spike that is no wider
+   than `near`? */
+static int is_needless(const polygon *p, size_t tip, size_t i, size_t j, double near)
+{
+    double width;
+    if (coincide(p, i, tip) || distance(p, i, tip) <= near) return 1;
+    return i != j && angle_between(p, tip, i, j, &width) < 1 && width <= near;
+}
+
+/* Takes out spikes, however long: x, tip, x; x, y, tip, y, x; x, tip, y, x; ... and with them seams, where an outline
+   comes back the way it went. */
+static void remove_spikes(polygon *p, const options *o)
 {
     size_t i, kept = 0, before = p->n;
+    double near = nearly_closed * perimeter_of(p);
+    if (o->merge && merge_distance(p, o) > near) near = merge_distance(p, o);
     for (i = 0; i < p->n; ++i) {
         move_corner(p, kept++, i);
-        while (kept > 1 && coincide(p, kept - 1, kept - 2)) --kept;
-        while (kept > 2 && coincide(p, kept - 1, kept - 3)) kept -= 2;
+        while (kept > 2 && is_needless(p, kept - 2, kept - 3, kept - 1, near)) {
+            move_corner(p, kept - 2, kept - 1);
+            --kept;
+        }
     }
     p->n = kept;
     for (;;) { /* across the first corner */
-        if (p->n > 1 && coincide(p, 0, p->n - 1))
+        if (p->n > 2 && is_needless(p, p->n - 1, p->n - 2, 0, near))
             --p->n;
-        else if (p->n > 2 && coincide(p, 0, p->n - 2))
-            p->n -= 2;
-        else if (p->n > 2 && coincide(p, 1, p->n - 1)) {
-            for (i = 1; i + 1 < p->n; ++i) move_corner(p, i - 1, i);
-            p->n -= 2;
+        else if (p->n > 2 && is_needless(p, 0, p->n - 1, 1, near)) {
+            for (i = 1; i < p->n; ++i) move_corner(p, i - 1, i);
+            --p->n;
         } else
             break;
     }
@@ -228,24 +274,159 @@ static void area_vector(const polygon *p, size_t first, size_t end, double area[
     }
 }
 
-/* The corner at which the ring that begins at `first` has closed: its first corner again, with some area in between.
-   n if it does not. (There and back along a line is no ring.) */
+/* The sum of the coordinates by which corner i is off from corner `from`. */
+static double straight_off(const polygon *p, size_t from, size_t i)
+{
+    size_t stride = stride_of(p->surface), k;
+    double sum = 0;
+    for (k = 0; k < stride; ++k) sum += fabs(p->corner[i * stride + k] - p->corner[from * stride + k]);
+    return sum;
+}
+
+/* How far the outline reaches from corner `from`. */
+static double reach_of(const polygon *p, size_t from)
+{
+    double reach = 0;
+    size_t i;
+    for (i = 0; i < p->n; ++i)
+        if (straight_off(p, from, i) > reach) reach = straight_off(p, from, i);
+    return reach;
+}
+
+/* Do the corners from `first` to before `end` enclose anything, and do not just go there and back? */
+static int is_ring(const polygon *p, size_t first, size_t end, double area[3])
+{
+    double reach = 0;
+    size_t i;
+    area_vector(p, first, end, area);
+    for (i = first; i < end; ++i)
+        if (straight_off(p, first, i) > reach) reach = straight_off(p, first, i);
+    return hypot(hypot(area[0], area[1]), area[2]) > 1e-12 * reach * reach;
+}
+
+/* The corner at which the ring that begins at `first` has closed: its first corner again, or nearly. n if it does
+   not. */
 static size_t ring_end(const polygon *p, size_t first)
 {
-    size_t i, k, stride = stride_of(p->surface);
-    double area[3], reach = 0, size;
-    for (i = first + 3; i < p->n; ++i) {
-        if (!coincide(p, first, i)) continue;
-        area_vector(p, first, i, area);
-        for (k = first; k < i; ++k) {
-            size_t c;
-            for (c = 0, size = 0; c < stride; ++c)
-                size += fabs(p->corner[k * stride + c] - p->corner[first * stride + c]);
-            if (size > reach) reach = size;
-        }
-        if (hypot(hypot(area[0], area[1]), area[2]) > 1e-12 * reach * reach) return i;
-    }
+    double reach = p->n > first + 3 ? reach_of(p, first) : 0, area[3];
+    size_t i;
+    for (i = first + 3; i < p->n; ++i)
+        if ((straight_off(p, first, i) <= nearly_closed * reach || coincide(p, first, i)) &&
+            is_ring(p, first, i, area))
+            return i;
     return p->n;
+}
+
+/* The same from the end: where a ring begins that closes with the last corner and runs the other way round, as holes
+   do behind an outer ring that is left open. */
+static size_t hole_begin(const polygon *p)
+{
+    double reach = p->n > 6 ? reach_of(p, p->n - 1) : 0, outer[3], hole[3];
+    size_t i;
+    for (i = 3; i + 4 <= p->n && reach > 0; ++i)
+        if ((straight_off(p, p->n - 1, i) <= nearly_closed * reach || coincide(p, p->n - 1, i)) &&
+            is_ring(p, i, p->n - 1, hole) && is_ring(p, 0, i, outer) &&
+            outer[0] * hole[0] + outer[1] * hole[1] + outer[2] * hole[2] < 0)
+            return i;
+    return p->n;
+}
+
+/* --- seams -------------------------------------------------------------------------------------------------------- */
+
+typedef struct place {
+    double x[3];
+    size_t corner;
+} place;
+
+static int compare_places(const void *one, const void *other)
+{
+    const place *a = (const place *)one, *b = (const place *)other;
+    int k;
+    for (k = 0; k < 3; ++k)
+        if (a->x[k] < b->x[k] || a->x[k] > b->x[k]) return a->x[k] < b->x[k] ? -1 : 1;
+    return a->corner < b->corner ? -1 : a->corner > b->corner;
+}
+
+/* sum[3 i]: the area vector, twice, of corners 0 to i, each edge seen from corner 0. */
+static double *sum_areas(const polygon *p)
+{
+    double *sum = (double *)resize(NULL, p->n + 1, 3 * sizeof *sum);
+    size_t stride = stride_of(p->surface), i, k;
+    double a[3] = {0, 0, 0}, b[3] = {0, 0, 0};
+    sum[0] = sum[1] = sum[2] = 0;
+    for (i = 0; i < p->n; ++i) {
+        const double *x = p->corner + i * stride, *y = i + 1 < p->n ? x + stride : p->corner;
+        for (k = 0; k < stride; ++k) a[k] = x[k] - p->corner[k], b[k] = y[k] - p->corner[k];
+        for (k = 0; k < 3; ++k)
+            sum[3 * i + 3 + k] = sum[3 * i + k] + a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
+    return sum;
+}
+
+/* How much is enclosed between the two edges of a seam, and how much beyond. */
+static void sizes_beside(const polygon *p, const double *sum, const size_t seam[2], double size[2])
+{
+    double inner[3], outer[3];
+    int k;
+    for (k = 0; k < 3; ++k) {
+        inner[k] = sum[3 * seam[1] + (size_t)k] - sum[3 * seam[0] + 3 + (size_t)k];
+        outer[k] = sum[3 * p->n + (size_t)k] - inner[k];
+    }
+    size[0] = hypot(hypot(inner[0], inner[1]), inner[2]);
+    size[1] = hypot(hypot(outer[0], outer[1]), outer[2]);
+}
+
+/* An edge that the outline goes back along, from corner seam[0] to the next and later from corner seam[1] to the next,
+   with something enclosed on both sides. Returns whether there is one. */
+static int find_seam(const polygon *p, size_t seam[2])
+{
+    enum { ALIKE = 8 }; /* of the corners at one place those that come next are looked at */
+    size_t stride = stride_of(p->surface), i, j, k, n = p->n;
+    double least, *sum, size[2];
+    int found = 0;
+    place *at;
+    if (n < 8) return 0; /* two rings of three corners, and the two ends of the seam once more */
+    at = (place *)resize(NULL, n, sizeof *at);
+    for (i = 0; i < n; ++i) {
+        for (k = 0; k < 3; ++k) at[i].x[k] = k < stride ? p->corner[i * stride + k] + 0.0 : 0; /* no -0 */
+        at[i].corner = i;
+    }
+    qsort(at, n, sizeof *at, compare_places);
+    least = reach_of(p, 0);
+    least *= least * (1e-12 + 2e-16 * (double)n);
+    sum = sum_areas(p);
+    for (i = 0; i < n && !found; ++i)
+        for (j = i + 1; j < n && j <= i + ALIKE && !found && memcmp(at[i].x, at[j].x, sizeof at->x) == 0; ++j)
+            for (k = 0; k < 2 && !found && (k == 0 || at[i].corner == 0); ++k) { /* both may end at corner 0 */
+                seam[0] = at[k ? j : i].corner;
+                seam[1] = k ? n - 1 : at[j].corner - 1;
+                if (!(seam[0] < seam[1]) || !coincide(p, seam[0] + 1, seam[1])) continue;
+                sizes_beside(p, sum, seam, size);
+                found = size[0] > least && size[1] > least;
+            }
+    free(at);
+    free(sum);
+    return found;
+}
+
+/* Begins with the larger of the rings that a seam joins, so that each comes closed, one after the other. */
+static void cut_seam(polygon *p, const size_t seam[2])
+{
+    size_t stride = stride_of(p->surface), i, from;
+    double *sum = sum_areas(p), size[2];
+    polygon turned;
+    sizes_beside(p, sum, seam, size);
+    free(sum);
+    from = seam[size[0] > size[1] ? 0 : 1] + 1;
+    memset(&turned, 0, sizeof turned);
+    begin_polygon(&turned, p->surface, p->id, p->first_line);
+    for (i = 0; i < p->n; ++i) {
+        size_t at = (from + i) % p->n;
+        add_corner(&turned, p->corner + at * stride, p->normal + 3 * at, p->line[at]);
+    }
+    p->n = 0;
+    for (i = 0; i < turned.n; ++i) add_corner(p, turned.corner + i * stride, turned.normal + 3 * i, turned.line[i]);
+    free_polygon(&turned);
 }
 
 /* --- pixels ------------------------------------------------------------------------------------------------------- */
@@ -354,15 +535,19 @@ static void reverse_corners(polygon *p)
 /* In the order in which repairs may help each other. A fault shall not be smeared over its neighbours by smoothing. */
 static void repair_polygon(polygon *p, const options *o)
 {
-    size_t end;
+    size_t end, seam[2];
     double fraction;
     order_corners(p);
     drop_closing_corner(p);
     if (p->fault != SURFMINK_OK) return;
     if (o->merge) merge_corners(p, o);
-    if (o->repair) remove_spikes(p);
-    if ((end = ring_end(p, 0)) < p->n) {
+    if (o->repair) remove_spikes(p, o);
+    if ((end = ring_end(p, 0)) < p->n || (end = hole_begin(p)) < p->n) {
         find_fault(p, FAULT_SEVERAL_RINGS, p->line[end]);
+        return;
+    }
+    if (find_seam(p, seam)) {
+        find_fault(p, FAULT_SEAM, p->line[seam[1]]);
         return;
     }
     if ((o->order == 4 || o->error) && p->n > 3 && (end = find_short_edge(p, &fraction)) < p->n &&
@@ -371,7 +556,7 @@ static void repair_polygon(polygon *p, const options *o)
         return;
     }
     tell_pixels(p, o);
-    if (o->smooth && (end = find_spike(p)) < p->n && p->n > 4) {
+    if (o->smooth && (end = find_spike(p, &fraction)) < p->n && p->n > 4) {
         find_fault(p, FAULT_SPIKE, p->line[end]);
         return;
     }

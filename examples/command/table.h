@@ -81,6 +81,8 @@ static void read_header(table *t, lines *in, const options *o)
         return;
     }
     read_columns(&t->columns, in, o);
+    if (o->y_down && t->columns.layout->surface == SPHERE)
+        die("%s: --y-down is for x y of an image, not for a sphere", in->name);
     t->by_columns = t->has_row = o->columns != NULL;
     t->down = o->y_down || (has(&t->columns, COLUMN_ROW) && t->columns.place[COLUMN_ROW] == t->columns.place[COLUMN_Y])
                   ? -1
@@ -166,7 +168,7 @@ static void check_fields(table *t)
     for (i = names + (size_t)t->shift; i < t->in->fields; ++i)
         if (*t->in->field[i])
             malformed(t->in, "%lu fields, but %lu columns are named%s", (unsigned long)t->in->fields,
-                      (unsigned long)names, t->separator == ' ' ? ": blanks within a field need quotes" : "");
+                      (unsigned long)names, t->separator == ' ' ? ": blanks within a field need quotes, row names quotes or a name" : "");
 }
 
 /* The next line that is no comment, split; 0 at the end of the file. What separates polygons has no fields: a blank
@@ -318,7 +320,7 @@ static void judge_unnamed(table *t, polygon *p)
         return;
     }
     if (strcmp(field, t->first) == 0) {
-        add_id(&t->columns, t->columns.unnamed);
+        add_id(&t->columns, t->columns.unnamed, 1);
         rename_polygon(p, t->first);
         if (t->columns.name[t->columns.unnamed][0])
             remark("%s: id: %s, which is the same in rows that follow each other (--id names others)", t->in->name,
@@ -361,11 +363,13 @@ static int next_line_polygon(table *t, polygon *p)
 /* Lines that follow each other with the same id; without ids, up to a blank line. Returns 0 at the end of the file. */
 static int next_of_table(table *t, polygon *p)
 {
+    unsigned long gap = 0;
     int begun = 0;
     if (t->by_lines) return next_line_polygon(t, p);
     while (next_row(t)) {
         if (t->in->fields == 0 || (t->columns.ids == 0 && is_gap(t))) {
             if (begun && t->columns.ids == 0) return 1;
+            if (begun && p->n >= 3) gap = t->in->number;
             continue;
         }
         if (begun) judge_unnamed(t, p);
@@ -373,6 +377,11 @@ static int next_of_table(table *t, polygon *p)
             t->has_row = 1;
             return 1;
         }
+        if (begun && gap && warns(WARN_BREAK))
+            remark("%s:%lu: a blank line, or one with >, within outline %s: it goes on, for ids alone part outlines "
+                   "where there are any",
+                   t->in->name, gap, p->id);
+        gap = 0;
         if (!begun) judge_unnamed(t, p);
         if (!begun) begin_row_polygon(t, p);
         watch_ignored(t, p, !begun);

@@ -32,6 +32,7 @@ disturbed. Calls let other threads of Python run.
 import collections
 import ctypes
 import ctypes.util
+import operator
 import os
 
 import numpy as np
@@ -171,6 +172,8 @@ def _numbers(name, array, kind):
         except ValueError as error:
             raise ValueError("%s is not one array of numbers; surfmink.pack makes one of a list of outlines" % name) \
                 from error
+    if array.dtype.kind == "c" and kind is float:
+        raise TypeError("%s is complex: numpy.column_stack([%s.real, %s.imag]) makes x y of it" % (name, name, name))
     if array.dtype != kind:
         raise TypeError("%s has dtype %s, not %s: %s.astype(%s) makes a copy that has" % (
             name, array.dtype, np.dtype(kind), name, kind.__name__))
@@ -229,7 +232,8 @@ def _offsets(offset, corners):
     if offset is None:
         return None
     if not isinstance(offset, np.ndarray):
-        offset = np.array(offset, dtype=np.int64)
+        offset = np.array(offset)
+        offset = offset.astype(np.int64) if offset.dtype.kind in "iu" or offset.size == 0 else offset
     if offset.dtype not in (np.int64, np.uint64) or offset.dtype.itemsize != np.dtype(np.uintp).itemsize:
         raise TypeError("offset has dtype %s, not int64: offset.astype(int) makes a copy that has" % offset.dtype)
     if offset.ndim != 1 or offset.size < 1:
@@ -243,7 +247,10 @@ def _offsets(offset, corners):
 
 
 def _rank(max_rank):
-    max_rank = int(max_rank)
+    try:
+        max_rank = operator.index(max_rank)
+    except TypeError as error:
+        raise TypeError("max_rank is %r, not a whole number" % (max_rank,)) from error
     if not 0 <= max_rank < 2 ** 31 - 1:
         raise Refused("bad_argument")
     return max_rank

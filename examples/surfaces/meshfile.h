@@ -453,10 +453,15 @@ static inline int mesh__obj_corner(mesh__reader *r, const mesh_file *f, char **a
             ++*at;
             continue;
         }
+        if (strcmp(*at + strspn(*at, " \t"), "\\") == 0)
+            return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line,
+                              "a line that goes on in the next one is not read: MeshLab saves faces on one line");
         if (!mesh__integer(at, "/ \t", &k)) return mesh__malformed(r, "the number of a vertex", *at);
         if (k == 0) return mesh__fail(r->error, MESH_BAD_INDEX, r->name, r->line, "OBJ counts vertices from 1");
         if (slash == 0) *vertex = mesh__obj_index(k, f->vertices);
         if (slash == 2) *normal = mesh__obj_index(k, f->normals);
+        if (slash == 2 && (*normal < 0 || (size_t)*normal >= f->normals))
+            return mesh__fail(r->error, MESH_BAD_INDEX, r->name, r->line, "there is no normal %ld", k);
         if (**at != '/' || !(*at)[1] || strchr(" \t", (*at)[1])) break;
         ++*at;
     }
@@ -476,7 +481,7 @@ static inline int mesh__obj_face(mesh__reader *r, mesh_file *f, char *at, int *c
         grown = mesh__grow(f->normal_of, corners, &r->of_room, sizeof *f->normal_of);
         if (!grown) return mesh__no_memory(r->error, r->name);
         f->normal_of = (uint32_t *)grown;
-        if (normal < 0 || (size_t)normal >= f->normals) *complete = 0;
+        if (normal < 0) *complete = 0;
         f->normal_of[corners++] = *complete ? (uint32_t)normal : 0;
     }
     return mesh__end_face(r, f, corners);
@@ -809,7 +814,8 @@ static inline int mesh__vtk_skip(mesh__reader *r, double count)
     return status;
 }
 
-/* Faces as `n a b c` each. A strip a b c d ... is the triangles a b c, c b d, ... */
+/* Faces as `n a b c` each. A strip a b c d ... is the triangles a b c, c b d, ...; one with a corner twice, where strips
+   are sewn together, is none. */
 static inline int mesh__vtk_faces(mesh__reader *r, mesh_file *f, long faces, int strips)
 {
     long i, k, n = 0, vertex = 0, two[2] = {0, 0};
@@ -820,9 +826,9 @@ static inline int mesh__vtk_faces(mesh__reader *r, mesh_file *f, long faces, int
         for (k = 0; !status && k < n; ++k) {
             status = mesh__vtk_count(r, &vertex);
             if (!status && !strips) status = mesh__add_corner(r, f, corners++, vertex);
-            if (!status && strips && k >= 2) {
-                status = mesh__add_corner(r, f, corners++, two[k % 2]);
-                if (!status) status = mesh__add_corner(r, f, corners++, two[1 - k % 2]);
+            if (!status && strips && k >= 2 && two[0] != two[1] && two[0] != vertex && two[1] != vertex) {
+                status = mesh__add_corner(r, f, corners++, two[0]);
+                if (!status) status = mesh__add_corner(r, f, corners++, two[1]);
                 if (!status) status = mesh__add_corner(r, f, corners++, vertex);
                 if (!status) status = mesh__end_face(r, f, corners);
             }
@@ -1074,7 +1080,7 @@ static inline int mesh__is_foreign(const char *first, size_t length, const char 
                  {"#VRML", 5, "VRML", "MeshLab saves it as PLY"},
                  {"#Inventor", 9, "Open Inventor", "MeshLab saves it as PLY"},
                  {"\xff\xff\xfe", 3, "a FreeSurfer surface", "mris_convert IN OUT.stl"},
-                 {"$MeshFormat", 11, "a Gmsh mesh", "gmsh IN -save -o OUT.ply2, or meshio convert IN OUT.ply"},
+                 {"$MeshFormat", 11, "a Gmsh mesh", "gmsh IN -save -o OUT.stl, or meshio convert IN OUT.ply"},
                  {"MeshVersionFormatted", 20, "a Medit mesh", "meshio convert IN OUT.ply"},
                  {"Kaydara FBX", 11, "FBX", "Blender saves it as PLY"},
                  {"; FBX", 5, "FBX", "Blender saves it as PLY"},
@@ -1600,14 +1606,18 @@ static inline void mesh_file_area(const mesh_file *f, size_t face, double area[3
 static inline double *mesh_file_means(const mesh_file *f)
 {
     double *sum = (double *)calloc(3 * f->vertices + 1, sizeof *sum), area[3];
-    size_t i, j, v;
+    size_t i, j, v, before;
     int k, is_finite;
     if (!sum) return NULL;
     for (i = 0; i < f->faces; ++i) {
         mesh_file_area(f, i, area);
         is_finite = fabs(area[0]) + fabs(area[1]) + fabs(area[2]) <= DBL_MAX;
-        for (j = f->begin[i]; j < f->begin[i + 1] && is_finite; ++j)
-            for (k = 0; k < 3; ++k) sum[3 * (size_t)f->joint[f->corner[j]] + (size_t)k] += area[k];
+        before = f->joint[f->corner[f->begin[i + 1] - 1]];
+        for (j = f->begin[i]; j < f->begin[i + 1] && is_finite; ++j) {
+            v = f->joint[f->corner[j]];
+            for (k = 0; k < 3 && v != before; ++k) sum[3 * v + (size_t)k] += area[k]; /* a corner twice counts once */
+            before = v;
+        }
     }
     for (v = 0; v < f->vertices; ++v)
         if (f->joint[v] != v) memcpy(sum + 3 * v, sum + 3 * (size_t)f->joint[v], 3 * sizeof *sum);
