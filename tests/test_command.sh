@@ -160,7 +160,8 @@ for head in 'lon (rad),lat (rad)' 'ra [h],dec (deg)' 'lon,lat(arcsec)'; do
     run
     stopped "not in degrees: $head" "longitudes and latitudes are read in degrees: convert them"
 done
-printf 'index,shape-type,vertex-index,axis-0,axis-1,axis-2\n0,polygon,0,3,0,1\n0,polygon,1,3,10,2\n0,polygon,2,3,12,20\n' > in
+printf 'index,shape-type,vertex-index,axis-0,axis-1,axis-2\n' > in
+printf '0,polygon,0,3,0,1\n0,polygon,1,3,10,2\n0,polygon,2,3,12,20\n' >> in
 run --quiet
 check "napari, a stack" "$(column id) $(column area)" "0/3 89"
 printf 'lon lat\n0 0\n1 0\n0 1\n' > in
@@ -627,7 +628,7 @@ for head in 'x y' 'lon lat'; do
 done
 printf 'x y\n1 0\n1 .5\n3 .5\n3 0\n4 0\n4 1\n3 1\n3 .5\n1 .5\n1 1\n0 1\n0 0\n' > in
 run
-refused "two parts joined by a line" seam 9 "along an edge of its own: a cut that leads to a hole, or to another part; --p"
+refused "two parts joined by a line" seam 9 "a cut that leads to a hole, or to another part; --parts"
 run --quiet --parts
 check "two parts: taken apart" "$(column id) $(column area)" "0/0 0/1 1 1"
 printf 'x y\n0 0\n6 0\n6 6\n0 6\n-1e-13 1e-13\n2 2\n2 4\n4 4\n4 2\n2 2\n' > in
@@ -649,7 +650,7 @@ check "what touches itself is one outline" "$status $(column status)" "0 ok"
 for whisker in '4 7\n4 5\n4 4' '4 7\n4 4' '4 5\n4 7\n4 4' '4 7\n3.9999999999999 4'; do
     printf "x y\n0 0\n4 0\n4 4\n$whisker\n0 4\n" > in
     run
-    check "a spike: $whisker" "$status $(field 1 L | cut -c 1-2) $(wc -l < err | tr -d ' ')" "0 2$(field 1 L | cut -c 2) 1"
+    check "a spike: $whisker" "$status $(field 1 status) $(wc -l < err | tr -d ' ')" "0 ok 1"
     has "it is told: $whisker" err "a spike, of which both sides count; --repair takes it out"
     run --repair --quiet
     check "it is taken out: $whisker" "$(field 1 n) $(field 1 L)" "4 16"
@@ -1060,8 +1061,8 @@ check "a vertex that is not finite" "$status $(column status)" "2 not_finite ok 
 has "its line" err "nan.off:5: a vertex is not finite: no face with it is measured"
 
 # A strip turns every second triangle round; where strips are sewn together corners come twice, and are no triangle.
-printf '# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n0 0 0 0 1 0 1 0 0 1 1 0 2 0 0 2 1 0 3 0 0 3 1 0
-TRIANGLE_STRIPS 1 11\n10 0 1 2 3 3 4 4 5 6 7\n' > strip.vtk
+printf '# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 8 float
+0 0 0 0 1 0 1 0 0 1 1 0 2 0 0 2 1 0 3 0 0 3 1 0\nTRIANGLE_STRIPS 1 11\n10 0 1 2 3 3 4 4 5 6 7\n' > strip.vtk
 run strip.vtk
 check "a strip of VTK" "$status $(cat err) $(column status)" "0  ok ok ok ok"
 # A triangle that is written as a quadrangle weighs as much in the normals of its neighbours.
@@ -1361,7 +1362,7 @@ printf '{"type": "MultiPolygon", "coordinates": [[[[160, -20], [180, -20], [180,
     [-170, -10], [-180, -10], [-180, -20]]]]}' > in
 run --quiet
 check "two halves of a ring enclose a hole" "$(column id) $(column status)" "0 0/hole1 ok ok"
-for ring in '[48, 120], [49, 120], [49, 121]' '[0, 0], [1, 0], [1, 91]' '[500000, 200000], [500010, 200000], [5e5, 200010]'; do
+for ring in '[48, 120], [49, 120], [49, 121]' '[0, 0], [1, 0], [1, 91]' '[5e5, 2e5], [500010, 2e5], [5e5, 200010]'; do
     printf '{"type": "Polygon", "coordinates": [[%s]]}' "$ring" > in
     run
     refused "GeoJSON off the globe: $ring" bad_argument 1 "a latitude lies between -90 and 90"
@@ -1374,7 +1375,7 @@ for ring in '[-180, 60], [180, 60], [180, 90], [-180, 90]' '[-180, -60], [180, -
 done
 printf '{"type": "Polygon", "coordinates": [[[-170, 10], [170, 10], [170, 20], [-170, 20]]]}' > in
 run
-has "GeoJSON, an edge over 180 degrees is told" err ": 0: the edge from longitude -170 to 170 is taken the short way, acr"
+has "GeoJSON, an edge over 180 degrees is told" err ": 0: the edge from longitude -170 to 170 is taken the short"
 square='"geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1]]]}'
 printf '{"type": "Feature", %s}\n\036{"type": "Feature", "properties": {"name": "b"}, %s}\n' "$square" "$square" > in
 run

@@ -44,9 +44,9 @@ static const char *const measured_word[] = {"area",   "mean",   "perimeter", "le
                                             "height", "color",  "colour",    "level",    NULL};
 
 /* Units that longitudes and latitudes are not in. */
-static const char *const foreign_unit[] = {"rad", "radian", "radians", "h",   "hr",    "hour",   "hours", "hms",  "dms",
-                                           "gon", "grad",   "arcmin",  "min", "arcsec", "sec",    "mas",   "hourangle",
-                                           NULL};
+static const char *const foreign_unit[] = {"rad",   "radian", "radians", "h",   "hr",        "hour",
+                                           "hours", "hms",    "dms",     "gon", "grad",      "arcmin",
+                                           "min",   "arcsec", "sec",     "mas", "hourangle", NULL};
 
 static const char *const geometry_word[] = {"wkt", "geometry", "geom", "wkb", NULL};
 

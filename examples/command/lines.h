@@ -141,7 +141,8 @@ static size_t find_line_end(lines *in)
         feed = find(in, &in->feed);
         cr = find(in, &in->cr);
         end = feed < cr ? feed : cr;
-        if (find(in, &in->nul) < end) malformed(in, "a zero byte: this is not plain text%s",
+        if (find(in, &in->nul) < end)
+            malformed(in, "a zero byte: this is not plain text%s",
                       memcmp(in->block, "\xff\xfe", 2) == 0 || memcmp(in->block, "\xfe\xff", 2) == 0
                           ? " but UTF-16: iconv -f UTF-16 -t UTF-8 converts it"
                           : "");

@@ -45,7 +45,7 @@ static void add_parts(batch *b, polygon *p, polygon *part, const options *o)
         if (first == 0 && next >= p->n) break;
         if (first == 0) area_vector(p, 0, end, turn);
         take_part(part, p, first, end, number++, turn);
-        if (has_seam) remove_spikes(part, o); /* the rest of the seam */
+        if (has_seam) remove_spikes(part, o);     /* the rest of the seam */
         if (end == p->n && coincide(p, first, 1)) /* the first ring over again, and not to its end */
             find_fault(part, FAULT_SEVERAL_RINGS, p->line[first]);
         repair_polygon(part, o);

@@ -168,7 +168,8 @@ static void check_fields(table *t)
     for (i = names + (size_t)t->shift; i < t->in->fields; ++i)
         if (*t->in->field[i])
             malformed(t->in, "%lu fields, but %lu columns are named%s", (unsigned long)t->in->fields,
-                      (unsigned long)names, t->separator == ' ' ? ": blanks within a field need quotes, row names quotes or a name" : "");
+                      (unsigned long)names,
+                      t->separator == ' ' ? ": blanks within a field need quotes, row names quotes or a name" : "");
 }
 
 /* The next line that is no comment, split; 0 at the end of the file. What separates polygons has no fields: a blank

@@ -814,8 +814,8 @@ static inline int mesh__vtk_skip(mesh__reader *r, double count)
     return status;
 }
 
-/* Faces as `n a b c` each. A strip a b c d ... is the triangles a b c, c b d, ...; one with a corner twice, where strips
-   are sewn together, is none. */
+/* Faces as `n a b c` each. A strip a b c d ... is the triangles a b c, c b d, ...; where strips are sewn together, some
+   have a corner twice, and are none. */
 static inline int mesh__vtk_faces(mesh__reader *r, mesh_file *f, long faces, int strips)
 {
     long i, k, n = 0, vertex = 0, two[2] = {0, 0};
