@@ -12,6 +12,8 @@
    trace.h regions -> boundaries, fit.h boundaries -> points, chart.h points -> space, outline.h all of these ->
    outlines, write.h outlines -> text, paint.h numbers -> pixels. */
 
+#include "command/posix.h"
+
 #include "image/paint.h"
 #include "image/read.h"
 #include "image/write.h"
@@ -62,8 +64,8 @@ static const char *const help[] = {
     "  between them, to the bit.\n"
     "  Left out, and named on standard error: cells that are cut by the border of the image, run round a wrapped\n"
     "  image, have several parts, reach beyond the rim of the chart, lie where it is folded, or have fewer than three\n"
-    "  junctions with --points junctions. Measured, and named: cells with holes, by the outer outline, and cells of\n"
-    "  fewer than 20 pixels.\n"
+    "  junctions, or such as run the other way round, with --points junctions. Measured, and named: cells with holes,\n"
+    "  by the outer outline, and cells of fewer than 20 pixels.\n"
     "\n"
     "EXIT STATUS\n"
     "  0: all cells have an outline. 1: a wrong option, or a file that is unreadable or malformed; nothing is\n"
@@ -195,6 +197,16 @@ static int parse(int count, char **argument, options *o)
     return 0;
 }
 
+/* Are these names of one file? */
+static int is_one_file(const char *a, const char *b)
+{
+#if HAS_POSIX
+    struct stat x, y;
+    if (stat(a, &x) == 0 && stat(b, &y) == 0) return S_ISREG(x.st_mode) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+#endif
+    return strcmp(a, b) == 0;
+}
+
 /* What is written must be nothing that is read, nor be written twice. */
 static int check_files(const options *o)
 {
@@ -210,7 +222,7 @@ static int check_files(const options *o)
     for (i = 4; i < 7; ++i) {
         if (file[i] && !strcmp(file[i], "-")) return complain("a file is wanted, not standard output", file[i]);
         for (k = 0; k < i; ++k)
-            if (file[i] && file[k] && !strcmp(file[i], file[k]))
+            if (file[i] && file[k] && is_one_file(file[i], file[k]))
                 return complain("this file would be overwritten", file[i]);
     }
     for (i = 1; i < 4; ++i)
@@ -293,11 +305,10 @@ static int trace_all(run *r, image_error *error)
     return outlines_make(&r->out, error);
 }
 
-/* All files are opened before anything is written: what cannot be written leaves the others alone. */
-static int open_file(FILE **file, const char *name, image_error *error)
+static int open_file(FILE **file, const char *name, const char *mode, image_error *error)
 {
     if (!name) return 1;
-    *file = fopen(name, "wb");
+    *file = fopen(name, mode);
     return *file || image_fail(error, name, "cannot be written: %s", strerror(errno));
 }
 
@@ -313,13 +324,36 @@ static int close_file(FILE **file, const char *name, image_error *error)
     return !failed || image_fail(error, name, "cannot be written: %s", strerror(errno));
 }
 
+/* Can the file be written? It is left as it is, or away. */
+static int try_file(const char *name, image_error *error)
+{
+    FILE *there = name ? fopen(name, "rb") : NULL, *file = NULL;
+    int good = open_file(&file, name, "ab", error);
+    if (file) fclose(file);
+    if (file && !there) remove(name);
+    if (there) fclose(there);
+    return good;
+}
+
+/* All files, or none: what cannot be written leaves the others as they are. */
+static int open_files(run *r, image_error *error)
+{
+    const options *o = r->o;
+    if (!try_file(o->off, error) || !try_file(o->report, error) || !open_file(&r->off, o->off, "wb", error)) return 0;
+    if (o->off && o->report && is_one_file(o->off, o->report)) {
+        remove(o->off); /* it was not there before, and so no name of it was known */
+        return image_fail(error, o->report, "this file would be overwritten");
+    }
+    return open_file(&r->report, o->report, "wb", error);
+}
+
 /* Sets *dropped to how many cells are left out. */
 static int write_all(run *r, size_t *dropped, image_error *error)
 {
     const options *o = r->o;
     writer w;
     size_t cells = r->map.count - 1;
-    if (!open_file(&r->off, o->off, error) || !open_file(&r->report, o->report, error)) return 0;
+    if (!open_files(r, error)) return 0;
     *dropped = write_notices(stderr, o->labels, &r->map);
     if (cells == 0) fprintf(stderr, "outlines: no pixel has a label above 0\n");
     w.powers = &r->powers;
@@ -347,7 +381,7 @@ static int paint_all(run *r, image_error *error)
     paint p;
     int good = paint_read(&p, &r->map, o->paint, o->column, &r->powers, error);
     if (good) {
-        good = open_file(&r->painted, o->out, error);
+        good = open_file(&r->painted, o->out, "wb", error);
         if (good) paint_write(&p, &r->map, r->painted);
         good = good && close_file(&r->painted, o->out, error);
         if (good && p.strangers > 0) {

@@ -10,19 +10,7 @@
      3 field     cells -> z, or its mean over a ball -> charges beyond/patic.h
      4 write     -> tables; a summary and a picture if asked    command/field.h */
 
-#ifndef HAS_POSIX
-#if defined(__unix__) || defined(__APPLE__)
-#define HAS_POSIX 1
-#else
-#define HAS_POSIX 0
-#endif
-#endif
-#if HAS_POSIX && !defined(_POSIX_C_SOURCE)
-#define _POSIX_C_SOURCE 200112L
-#endif
-#if HAS_POSIX
-#include <unistd.h>
-#endif
+#include "command/posix.h"
 
 #define SURFMINK_IMPLEMENTATION
 #include "../surfmink.h"

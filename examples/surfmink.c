@@ -16,21 +16,7 @@
                                                                           horizon.h chart.h ply.h; picture/
    A batch is measured when it is full, when the file ends, when the input pauses, and before any complaint. */
 
-/* Only for isatty, read, poll and stat: to tell a terminal from a file, to take what a pipe holds, to know a file by
-   whatever name. Elsewhere the command does without a progress line, and rows may come late. */
-#ifndef HAS_POSIX
-#if defined(__unix__) || defined(__APPLE__)
-#define HAS_POSIX 1
-#else
-#define HAS_POSIX 0
-#endif
-#endif
-#if HAS_POSIX && !defined(_POSIX_C_SOURCE)
-#define _POSIX_C_SOURCE 200112L
-#endif
-#if HAS_POSIX
-#include <unistd.h>
-#endif
+#include "command/posix.h"
 #include <time.h>
 
 #define SURFMINK_IMPLEMENTATION

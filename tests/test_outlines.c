@@ -998,6 +998,41 @@ THEOREM(a_cell_that_turns_by_more_than_half_is_left_out)
     }
 }
 
+/* A cap of a sphere, on a stereographic chart about its middle: counter-clockwise about the normals even where it is
+   more than a hemisphere, so that its turns sum up to 2 pi cos(degrees). */
+THEOREM(a_cell_larger_than_a_hemisphere_is_not_turned_round)
+{
+    enum { SIDE = 121, PIXELS = SIDE * SIDE };
+    static uint32_t label[PIXELS];
+    static float position[3 * PIXELS];
+    static outline cap;
+    static double length[MOST], turning[MOST];
+    static const double degrees[4] = {60, 95, 120, 140};
+    double sum;
+    size_t k, i;
+    int mirrored;
+    for (k = 0; k < 4; ++k)
+        for (mirrored = 0; mirrored < 2; ++mirrored) {
+            drawing d;
+            for (i = 0; i < PIXELS; ++i) {
+                double x = ((double)(i % SIDE) - 60) / 15, y = (60 - (double)(i / SIDE)) / 15, size = 1 + x * x + y * y;
+                position[i] = (float)((mirrored ? -2 : 2) * x / size);
+                position[PIXELS + i] = (float)(2 * y / size);
+                position[2 * PIXELS + i] = (float)((2 - size) / size);
+                label[i] = (2 - size) / size > cos(degrees[k] * PI / 180);
+            }
+            CASE("%g degrees", degrees[k]);
+            if (draw(&d, label, SIDE, SIDE, position, position, settings_of(CURVE)) && is_drawn(&d, 1)) {
+                outline_of(&d, 1, &cap);
+                CHECK_OK(surfmink_edges(IN_SPACE(cap.corner, cap.normal, cap.n), length, turning, NULL));
+                for (sum = 0, i = 0; i < cap.n; ++i) sum += turning[i];
+                CHECK_NEAR(sum, 2 * PI * cos(degrees[k] * PI / 180), 0.05);
+            }
+            CHECK(is_drawn(&d, 1));
+            erase(&d);
+        }
+}
+
 /* All points of a chain in one place: two cells lose as many corners, and keep the others. */
 THEOREM(corners_at_one_place_are_welded)
 {
@@ -1632,6 +1667,7 @@ int main(int argc, char **argv)
     PROVE(a_mirrored_chart_draws_the_same_cells);
     PROVE(cells_at_the_rim_or_on_a_fold_of_the_chart_are_left_out);
     PROVE(a_cell_that_turns_by_more_than_half_is_left_out);
+    PROVE(a_cell_larger_than_a_hemisphere_is_not_turned_round);
     PROVE(corners_at_one_place_are_welded);
     PROVE(what_is_left_out_is_left_out_by_name);
     PROVE(a_wrapped_image_has_no_seam);

@@ -54,6 +54,29 @@ P2 # two cells above, two below
 0 0 0 0 0 0 0 0
 END
 
+# --- what is left out -------------------------------------------------------------------------------------------------
+
+# report FILE ARGUMENT...: labels and statuses, and that of the run.
+report() {
+    run "$@" --report report.tsv
+    awk 'NR > 1 { printf "%s %s ", $1, $4 }' report.tsv
+    echo "$status"
+}
+echo 'P2 4 8 9 0 0 0 0 1 1 1 1 0 0 0 0 0 1 1 0 0 1 1 0 0 1 1 0 0 0 0 0 0 0 0 0' > ring.pgm
+for points in pixels curve junctions; do
+    check "a ring round the image and a patch, $points" "$(report ring.pgm --wrap x --points $points)" "1 winds 2"
+done
+# Cell 3 is a cup that holds 1 and 2: its junctions are those of the bay, and run round it.
+awk 'BEGIN { print "P2 22 16 3"; for (r = 0; r < 16; ++r) for (c = 0; c < 22; ++c)
+    print (r >= 2 && r < 8 && c >= 6 && c < 16 ? (c < 11 ? 1 : 2) :
+        r >= 2 && r < 14 && c >= 2 && c < 20 ? 3 : 0) }' > cup.pgm
+check "a cup, its junctions" "$(report cup.pgm --points junctions)" "1 ok 2 ok 3 turned 2"
+check "a cup, drawn as a curve" "$(report cup.pgm)" "1 ok 2 ok 3 ok 0"
+# Two cells with a line of 0 between them that ends a pixel from the border of the image: sharing it out cuts neither.
+awk 'BEGIN { print "P2 23 12 2"; for (r = 0; r < 12; ++r) for (c = 0; c < 23; ++c)
+    print (r < 1 || r > 10 || c < 1 || c == 11 || c > 21 ? 0 : c < 11 ? 1 : 2) }' > two.pgm
+check "lines beside the border" "$(report two.pgm --lines)" "1 ok 2 ok 0"
+
 # --- what comes out ---------------------------------------------------------------------------------------------------
 
 run --help
@@ -242,6 +265,16 @@ refuses "outlines: --paint draws no outlines: of the other options only --lines 
     four.pgm --paint mu --column n --out new.tif --off new.off
 refuses "outlines: this file would be overwritten: four.pgm $hint" four.pgm --off four.pgm
 refuses "outlines: this file would be overwritten: new.off $hint" four.pgm --off new.off --report new.off
+# by whatever name
+ln -s four.pgm link.pgm
+for name in ./four.pgm "$PWD/four.pgm" link.pgm; do
+    refuses "outlines: this file would be overwritten: $name $hint" four.pgm --report "$name"
+done
+refuses "./new.off: this file would be overwritten" four.pgm --off new.off --report ./new.off
+refuses "nowhere/r: cannot be written: No such file or directory" four.pgm --off new.off --report nowhere/r
+echo kept > kept.off
+refuses "nowhere/r: cannot be written: No such file or directory" four.pgm --off kept.off --report nowhere/r
+check "what is there when another file cannot be written" "$(cat kept.off)" kept
 refuses "outlines: a file is wanted, not standard output: - $hint" four.pgm --off -
 refuses "outlines: standard input is one file $hint" - --positions -
 refuses "nowhere.tif: No such file or directory" nowhere.tif --off new.off
@@ -256,6 +289,20 @@ head -c 150 half.tif > cut.tif
 refuses "cut.tif: truncated: 8 x 6 pixels with 1 numbers of 4 bytes do not fit into 150 bytes" cut.tif --off new.off
 "$surfmink" --version > version.txt
 refuses "version.txt: no image that can be read: TIFF without compression, NPY and PGM can" version.txt --off new.off
+
+# Orientation 4: the first row is the lowest
+{
+    printf 'MM\0\052\0\0\0\010\0\006'
+    printf '\001\0\0\003\0\0\0\001\0\002\0\0\001\001\0\003\0\0\0\001\0\002\0\0'
+    printf '\001\002\0\003\0\0\0\001\0\010\0\0\001\021\0\004\0\0\0\001\0\0\0\126'
+    printf '\001\022\0\003\0\0\0\001\0\004\0\0\001\027\0\004\0\0\0\001\0\0\0\004'
+    printf '\0\0\0\0\001\001\001\001'
+} > turned.tif
+run turned.tif
+check "a TIFF upside down" "$status $(cut -d ';' -f 1 err)" "1 turned.tif: a TIFF whose first row is not the top one (Orientation 4)"
+printf 'P55 1 9 00000' > magic.pgm
+run magic.pgm
+check "P55 is no P5" "$status $(cat err)" "1 magic.pgm: a PGM begins with P5, width, height and greatest grey"
 
 # what is quoted does not command the terminal: control characters, of 8 bits too, and bytes that are no text
 odd=$(printf 'a\033[2J\302\233b\377c\011d.pgm')

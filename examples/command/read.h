@@ -7,10 +7,6 @@
 #include "mesh.h"
 #include "table.h"
 
-#if HAS_POSIX
-#include <sys/stat.h>
-#endif
-
 typedef struct reader {
     lines in;
     int surface; /* of all its polygons */

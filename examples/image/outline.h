@@ -160,39 +160,22 @@ static inline int outlines__check_chart(outlines *o, size_t region, image_error 
     } while (half != t->outline[region]);
     for (k = 0; k < count; ++k)
         if (!(chart_dot(o->normal + 3 * k, sum) > 0)) o->map->flag[region] |= REGION_FOLD;
+    o->is_mirrored[region] = first_side < 0;
     return 1;
 }
 
-/* Finds the places of all corners, and whether they run clockwise about the mean of their normals. */
+/* Finds the places of all corners. */
 static inline void outlines__place(outlines *o, size_t region)
 {
-    double area[3] = {0, 0, 0}, mean[3] = {0, 0, 0}, a[3], b[3], twice[3];
-    const double *origin = o->place + 6 * (size_t)o->corner[0].point;
     size_t k;
-    int i;
     for (k = 0; k < o->count; ++k) {
         size_t point = o->corner[k].point;
         double *place = o->place + 6 * point;
         if (!o->is_placed[point])
             o->is_placed[point] = (unsigned char)chart_point(o->space, o->points->xy[2 * point],
                                                              o->points->xy[2 * point + 1], place, place + 3);
-        if (!o->is_placed[point]) {
-            o->map->flag[region] |= REGION_RIM;
-            return;
-        }
+        if (!o->is_placed[point]) o->map->flag[region] |= REGION_RIM;
     }
-    for (k = 0; k < o->count; ++k) {
-        const double *place = o->place + 6 * (size_t)o->corner[k].point;
-        const double *next = o->place + 6 * (size_t)o->corner[k + 1 < o->count ? k + 1 : 0].point;
-        for (i = 0; i < 3; ++i) {
-            a[i] = place[i] - origin[i];
-            b[i] = next[i] - origin[i];
-            mean[i] += place[3 + i];
-        }
-        chart_cross(a, b, twice);
-        for (i = 0; i < 3; ++i) area[i] += twice[i];
-    }
-    o->is_mirrored[region] = chart_dot(area, mean) < 0;
 }
 
 /* --- welding ------------------------------------------------------------------------------------------------------ */
@@ -256,11 +239,32 @@ static inline int outlines__weld(outlines *o, image_error *error)
 
 /* --- all outlines ------------------------------------------------------------------------------------------------- */
 
-/* Fewer than three corners enclose nothing: so it may be between junctions, and after welding. */
+/* Twice the area of the outline at hand in the picture, positive if it runs counter-clockwise there. */
+static inline double outlines__area(const outlines *o)
+{
+    double sum = 0, first[2], a[2], b[2];
+    size_t k;
+    outlines_xy(o, &o->corner[0], first);
+    for (k = 1; k + 1 < o->count; ++k) {
+        outlines_xy(o, &o->corner[k], a);
+        outlines_xy(o, &o->corner[k + 1], b);
+        sum += (a[0] - first[0]) * (b[1] - first[1]) - (a[1] - first[1]) * (b[0] - first[0]);
+    }
+    return sum;
+}
+
+/* Fewer than three corners enclose nothing: so it may be between junctions, and after welding. The junctions of a cell
+   that holds others in a bay may run the other way round than the cell, or enclose nothing. */
 static inline int outlines__count(outlines *o, size_t region, image_error *error)
 {
+    double area;
     if (!outlines_walk(o, region, error)) return 0;
-    if (o->count < 3) o->map->flag[region] |= REGION_FEW;
+    if (o->count < 3) {
+        o->map->flag[region] |= REGION_FEW;
+    } else if (o->points->kind == FIT_JUNCTIONS) {
+        area = outlines__area(o);
+        if (!(o->is_mirrored[region] ? -area > 1e-9 : area > 1e-9)) o->map->flag[region] |= REGION_TURNED;
+    }
     return 1;
 }
 

@@ -75,8 +75,9 @@ static inline int pgm_read(image *im, image_error *error)
 {
     size_t at = 2, maximum;
     int is_text = im->bytes[1] == '2';
-    if (!pgm_number(im, &at, &im->width) || !pgm_number(im, &at, &im->height) || !pgm_number(im, &at, &maximum) ||
-        at == im->size || !pgm_is_blank(im->bytes[at]))
+    if ((!pgm_is_blank(im->bytes[2]) && im->bytes[2] != '#') || !pgm_number(im, &at, &im->width) ||
+        !pgm_number(im, &at, &im->height) || !pgm_number(im, &at, &maximum) || at == im->size ||
+        !pgm_is_blank(im->bytes[at]))
         return image_fail(error, im->name, "a PGM begins with P%c, width, height and greatest grey", im->bytes[1]);
     ++at;
     if (maximum < 1 || maximum > 65535)

@@ -8,15 +8,16 @@
 
 /* Why a cell has no outline, or what is to be said about it. */
 enum region_flag {
-    REGION_BORDER = 1, /* touches the border of the image, where it may be cut off */
-    REGION_WINDS = 2,  /* runs round a wrapped image: its outline closes nowhere */
-    REGION_PARTS = 4,  /* has several parts */
-    REGION_RIM = 8,    /* reaches beyond the positions or normals that are known */
-    REGION_FOLD = 16,  /* lies where the chart is folded or torn */
-    REGION_FEW = 32,   /* --points junctions: fewer than three */
-    REGION_DROPPED = 63,
-    REGION_HOLES = 64, /* its outer outline is measured */
-    REGION_SMALL = 128 /* fewer pixels than REGION_PIXELS */
+    REGION_BORDER = 1,  /* touches the border of the image, where it may be cut off */
+    REGION_WINDS = 2,   /* runs round a wrapped image: its outline closes nowhere */
+    REGION_PARTS = 4,   /* has several parts */
+    REGION_RIM = 8,     /* reaches beyond the positions or normals that are known */
+    REGION_FOLD = 16,   /* lies where the chart is folded or torn */
+    REGION_FEW = 32,    /* fewer than three corners: of --points junctions, or after welding */
+    REGION_TURNED = 64, /* --points junctions: these run the other way round than the cell */
+    REGION_DROPPED = 127,
+    REGION_HOLES = 128, /* its outer outline is measured */
+    REGION_SMALL = 256  /* fewer pixels than REGION_PIXELS */
 };
 
 /* Below this size mu_4 and mu_6 of the outline are wrong by .14 and more: see the table in docs/images.md. */
@@ -29,7 +30,7 @@ typedef struct regions {
     size_t count;   /* 1 to count - 1 are cells */
     double *label;  /* of each region; whole numbers */
     size_t *pixels; /* of each region */
-    unsigned char *flag;
+    uint16_t *flag;
     unsigned char
         *tied; /* height x width, NULL without lines: pixels of a line, as far from one cell as from another */
 } regions;
@@ -159,7 +160,7 @@ static inline int regions__sort(regions *r, const regions__table *t, image_error
     r->count = t->count;
     r->label = (double *)malloc(t->count * sizeof *r->label);
     r->pixels = (size_t *)calloc(t->count, sizeof *r->pixels);
-    r->flag = (unsigned char *)calloc(t->count, 1);
+    r->flag = (uint16_t *)calloc(t->count, sizeof *r->flag);
     if (!rank || !r->label || !r->pixels || !r->flag) {
         free(rank);
         return image_no_memory(error);
@@ -256,7 +257,13 @@ static inline uint32_t regions__nearest(const regions *r, const uint32_t *of, in
     return second && sqrt((double)first) + sqrt((double)second) <= LINES_WIDE ? nearest : 0;
 }
 
-/* Shares out the pixels of lines of 0 between cells, as watershed and EpySeg leave them. */
+static inline int regions__at_border(const regions *r, size_t row, size_t column)
+{
+    return row == 0 || row + 1 == r->height || (!r->wraps && (column == 0 || column + 1 == r->width));
+}
+
+/* Shares out the pixels of lines of 0 between cells, as watershed and EpySeg leave them; but for those at the border of
+   the image, where they would make cells touch it. */
 static inline int regions_fill_lines(regions *r, image_error *error)
 {
     size_t row, column, pixels = r->width * r->height;
@@ -272,7 +279,7 @@ static inline int regions_fill_lines(regions *r, image_error *error)
     for (row = 0; row < r->height; ++row)
         for (column = 0; column < r->width; ++column) {
             size_t at = row * r->width + column;
-            if (r->of[at]) continue;
+            if (r->of[at] || regions__at_border(r, row, column)) continue;
             filled[at] = regions__nearest(r, r->of, around, row, column, &tied);
             r->tied[at] = (unsigned char)(filled[at] && tied);
         }
@@ -313,9 +320,8 @@ static inline void regions_count(regions *r)
     for (row = 0; row < r->height; ++row)
         for (column = 0; column < r->width; ++column) {
             uint32_t cell = r->of[row * r->width + column];
-            int at_side = !r->wraps && (column == 0 || column + 1 == r->width);
             ++r->pixels[cell];
-            if (at_side || row == 0 || row + 1 == r->height) r->flag[cell] |= REGION_BORDER;
+            if (regions__at_border(r, row, column)) r->flag[cell] |= REGION_BORDER;
         }
     for (k = 1; k < r->count; ++k)
         if (r->pixels[k] < REGION_PIXELS) r->flag[k] |= REGION_SMALL;

@@ -17,6 +17,7 @@ enum tiff__tag {
     TIFF_COMPRESSION = 259,
     TIFF_FILL_ORDER = 266,
     TIFF_STRIPS = 273,
+    TIFF_ORIENTATION = 274,
     TIFF_SAMPLES = 277,
     TIFF_STRIP_ROWS = 278,
     TIFF_STRIP_BYTES = 279,
@@ -32,7 +33,7 @@ typedef struct tiff__values {
 } tiff__values;
 
 typedef struct tiff__page {
-    size_t width, height, samples, strip_rows, compression, bits, format, is_planar, is_tiled, fill_order;
+    size_t width, height, samples, strip_rows, compression, bits, format, is_planar, is_tiled, fill_order, orientation;
     tiff__values strip, strip_bytes;
 } tiff__page;
 
@@ -87,6 +88,7 @@ static inline int tiff__keep(const image *im, tiff__page *page, size_t tag, cons
     case TIFF_FORMAT: return tiff__same(im, values, &page->format, error);
     case TIFF_COMPRESSION: page->compression = first; break;
     case TIFF_FILL_ORDER: page->fill_order = first; break;
+    case TIFF_ORIENTATION: page->orientation = first; break;
     case TIFF_SAMPLES: page->samples = first; break;
     case TIFF_STRIP_ROWS: page->strip_rows = first; break;
     case TIFF_PLANAR: page->is_planar = first == 2; break;
@@ -103,7 +105,7 @@ static inline int tiff__directory(const image *im, size_t at, tiff__page *page, 
     size_t entries, k, tag;
     tiff__values values;
     memset(page, 0, sizeof *page);
-    page->compression = page->samples = page->bits = page->format = page->fill_order = 1; /* if nothing else is said */
+    page->compression = page->samples = page->bits = page->format = page->fill_order = page->orientation = 1;
     page->strip_rows = SIZE_MAX;
     if (at < 8 || at > im->size - 2)
         return image_fail(error, im->name, "truncated: a directory of the TIFF lies outside the file");
@@ -134,6 +136,9 @@ static inline int tiff__check_page(const image *im, const tiff__page *page, imag
         return image_fail(error, im->name, "a TIFF with numbers that are neither integers nor floats (format %lu)%s",
                           (unsigned long)page->format, remedy);
     if (page->fill_order != 1) return image_fail(error, im->name, "a TIFF with its bits in reverse order%s", remedy);
+    if (page->orientation != 1)
+        return image_fail(error, im->name, "a TIFF whose first row is not the top one (Orientation %lu)%s",
+                          (unsigned long)page->orientation, remedy);
     if (page->samples == 0) return image_fail(error, im->name, "a TIFF without channels");
     if (page->strip_rows == 0) return image_fail(error, im->name, "a TIFF with strips of no rows");
     if (page->strip.bytes == 0) return image_fail(error, im->name, "a TIFF that does not say where its strips are");

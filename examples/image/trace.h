@@ -371,9 +371,11 @@ static inline int trace__find_outlines(trace *t, regions *r, image_error *error)
 {
     size_t halves = 2 * t->chain_count, k;
     unsigned char *seen = (unsigned char *)calloc(halves + 1, 1);
+    double *enclosed = (double *)calloc(r->count, sizeof *enclosed); /* by the boundaries of each region */
     t->outline = (uint32_t *)malloc(r->count * sizeof *t->outline);
-    if (!seen || !t->outline) {
+    if (!seen || !enclosed || !t->outline) {
         free(seen);
+        free(enclosed);
         return image_no_memory(error);
     }
     for (k = 0; k < r->count; ++k) t->outline[k] = TRACE_NONE;
@@ -383,6 +385,7 @@ static inline int trace__find_outlines(trace *t, regions *r, image_error *error)
         int64_t turns;
         if (seen[k] || region == 0 || (r->flag[region] & REGION_BORDER)) continue;
         trace__go_round(t, (uint32_t)k, seen, &area, &turns);
+        enclosed[region] += area;
         if (turns != 0)
             r->flag[region] |= REGION_WINDS;
         else if (area < 0)
@@ -392,9 +395,10 @@ static inline int trace__find_outlines(trace *t, regions *r, image_error *error)
         else
             t->outline[region] = (uint32_t)k;
     }
-    for (k = 1; k < r->count; ++k) /* straight round a wrapped image, without a crack that goes up or down */
-        if (t->outline[k] == TRACE_NONE && !(r->flag[k] & REGION_BORDER)) r->flag[k] |= REGION_WINDS;
+    for (k = 1; k < r->count; ++k) /* a part goes straight round a wrapped image, without a crack up or down */
+        if (fabs(enclosed[k] - (double)r->pixels[k]) > 0 && !(r->flag[k] & REGION_BORDER)) r->flag[k] |= REGION_WINDS;
     free(seen);
+    free(enclosed);
     return 1;
 }
 

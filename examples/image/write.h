@@ -148,7 +148,7 @@ static inline int write_off(const writer *w, outlines *o, image_error *error)
 /* --- what is said ------------------------------------------------------------------------------------------------- */
 
 /* In this order: a cell is counted under the first that holds. */
-enum { WRITE_REASONS = 6, WRITE_WORDS = 2 };
+enum { WRITE_REASONS = 7, WRITE_WORDS = 2 };
 static const struct {
     int flag;
     const char *word, *sentence;
@@ -158,7 +158,9 @@ static const struct {
     {REGION_PARTS, "parts", "left out, of several parts"},
     {REGION_RIM, "rim", "left out, reaching beyond the rim of the chart"},
     {REGION_FOLD, "fold", "left out, where the chart is folded or torn"},
-    {REGION_FEW, "few_junctions", "left out, with fewer than three junctions (--points curve measures them)"},
+    {REGION_FEW, "few_junctions", "left out, with fewer than three junctions or corners that --weld leaves apart"},
+    {REGION_TURNED, "turned",
+     "left out, of which the junctions run the other way round (--points curve measures them)"},
     {REGION_HOLES, "holes", "measured by the outer outline, with holes"},
     {REGION_SMALL, "small", "measured, but of fewer than 20 pixels"}};
 
