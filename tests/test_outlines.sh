@@ -67,9 +67,9 @@ for points in pixels curve junctions; do
     check "a ring round the image and a patch, $points" "$(report ring.pgm --wrap x --points $points)" "1 winds 2"
 done
 # Cell 3 is a cup that holds 1 and 2: its junctions are those of the bay, and run round it.
-awk 'BEGIN { print "P2 22 16 3"; for (r = 0; r < 16; ++r) for (c = 0; c < 22; ++c)
-    print (r >= 2 && r < 8 && c >= 6 && c < 16 ? (c < 11 ? 1 : 2) :
-        r >= 2 && r < 14 && c >= 2 && c < 20 ? 3 : 0) }' > cup.pgm
+awk 'function in_box(r0, r1, c0, c1) { return r >= r0 && r < r1 && c >= c0 && c < c1 }
+    BEGIN { print "P2 22 16 3"; for (r = 0; r < 16; ++r) for (c = 0; c < 22; ++c)
+        print in_box(2, 8, 6, 11) ? 1 : in_box(2, 8, 11, 16) ? 2 : 3 * in_box(2, 14, 2, 20) }' > cup.pgm
 check "a cup, its junctions" "$(report cup.pgm --points junctions)" "1 ok 2 ok 3 turned 2"
 check "a cup, drawn as a curve" "$(report cup.pgm)" "1 ok 2 ok 3 ok 0"
 # Two cells with a line of 0 between them that ends a pixel from the border of the image: sharing it out cuts neither.
@@ -299,7 +299,8 @@ refuses "version.txt: no image that can be read: TIFF without compression, NPY a
     printf '\0\0\0\0\001\001\001\001'
 } > turned.tif
 run turned.tif
-check "a TIFF upside down" "$status $(cut -d ';' -f 1 err)" "1 turned.tif: a TIFF whose first row is not the top one (Orientation 4)"
+check "a TIFF upside down" "$status $(cut -d ';' -f 1 err)" \
+    "1 turned.tif: a TIFF whose first row is not the top one (Orientation 4)"
 printf 'P55 1 9 00000' > magic.pgm
 run magic.pgm
 check "P55 is no P5" "$status $(cat err)" "1 magic.pgm: a PGM begins with P5, width, height and greatest grey"
