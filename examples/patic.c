@@ -271,6 +271,20 @@ static void parse_request(request *q, int argc, char **argv)
 
 /* --- 1. read ------------------------------------------------------------------------------------------------------ */
 
+/* A cell that crosses itself is refused, as by surfmink; one that comes back to a vertex, or along a cut, meets
+   itself. */
+static void find_faults(polygon *p, const request *q)
+{
+    surfmink_outline view = p->surface == PLANE    ? surfmink_plane(p->corner, p->n)
+                            : p->surface == SPHERE ? surfmink_sphere(p->corner, p->n, 1)
+                                                   : surfmink_embedded(p->corner, p->normal, p->n);
+    size_t pair[2];
+    if (p->fault == FAULT_SEVERAL_RINGS || p->fault == FAULT_SEAM) p->fault = PATIC_MEETS_ITSELF;
+    if (p->fault == SURFMINK_OK &&
+        find_crossing(p, surfmink_measure(&view, 0, NULL, NULL, NULL, NULL), &q->reading, pair) == 1)
+        find_fault(p, SURFMINK_CROSSES_ITSELF, p->line[pair[0]]);
+}
+
 static void add_outline(outlines *all, const polygon *p)
 {
     size_t stride = stride_of(p->surface), end = all->corners + p->n, i, length = strlen(p->id) + 1;
@@ -318,6 +332,7 @@ static void read_outlines(outlines *all, const request *q)
         die("%s: --sphere-radius is for spheres, and this is none", name);
     while (next_polygon(&in, &p)) {
         repair_polygon(&p, &q->reading);
+        find_faults(&p, q);
         add_outline(all, &p);
     }
     close_reader(&in);
@@ -348,7 +363,8 @@ static const char *remedy(int status)
 {
     switch (status) {
     case PATIC_OVERLAPS: return "; drop one of the two, or turn the one round that runs clockwise";
-    case PATIC_MEETS_ITSELF: return "; if corners have been welded, a smaller --weld keeps them apart";
+    case PATIC_MEETS_ITSELF:
+        return "; a cell has one ring; if corners have been welded, a smaller --weld keeps them apart";
     case SURFMINK_CLOCKWISE: return "; --reverse always turns all outlines round";
     case SURFMINK_COINCIDENT_CORNERS: return "; --merge drops one of them";
     case SURFMINK_OPPOSITE_NORMALS: return "; the surface folds back here: more cells, or other normals";
@@ -361,6 +377,11 @@ static int status_of(const outlines *all, const patic *t, size_t c)
     return all->fault && all->fault[c] != SURFMINK_OK ? all->fault[c] : t->cell[c].status;
 }
 
+static const char *name_of(int status)
+{
+    return status >= FAULT_BAD_ORDER ? status_name(status) : patic_status_name(status);
+}
+
 static void complain(const request *q, const outlines *all, const patic *t, size_t c)
 {
     int status = status_of(all, t, c);
@@ -370,7 +391,11 @@ static void complain(const request *q, const outlines *all, const patic *t, size
     line = status == t->cell[c].status && bad < n ? all->line[all->offset[c] + bad] : all->first_line[c];
     fprintf(stderr, "%s:%lu: cell ", q->reading.file[0], line);
     put_text(stderr, all->id[c], IN_TABLE);
-    fprintf(stderr, ": %s: %s", patic_status_name(status), patic_strerror(status));
+    fprintf(stderr, ": %s: %s", name_of(status),
+            status == SURFMINK_CROSSES_ITSELF && all->fault[c] == status
+                ? "the edge that begins here crosses another one"
+            : status >= FAULT_BAD_ORDER ? status_text(status)
+                                        : patic_strerror(status));
     if (status == t->cell[c].status && t->cell[c].other != PATIC_NONE) {
         fputs(status == PATIC_OVERLAPS ? " already, to cell " : ", those of it and of cell ", stderr);
         put_text(stderr, all->id[t->cell[c].other], IN_TABLE);
@@ -508,7 +533,7 @@ static void write_cells(const request *q, const outlines *all, const patic *t, c
             printf("\t%lu\t%d", (unsigned long)cell->neighbours, cell->boundary);
         else
             printf("\t\t");
-        printf("\t%s\n", patic_status_name(status));
+        printf("\t%s\n", name_of(status));
         if ((c & 1023) == 0) check_standard_output();
     }
 }

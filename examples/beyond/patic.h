@@ -827,16 +827,28 @@ static inline double patic__gauss_image(const patic *t, const patic_loop *loop)
     return area;
 }
 
+/* Do these edges of a cell begin and end one border with a neighbour, with no other cell and no gap in between? */
+static inline int patic__is_border(const patic *t, size_t first, size_t last)
+{
+    while (first != last) {
+        size_t next = patic__after(t, first);
+        if (t->twin[next] == PATIC_NONE || patic__after(t, t->twin[next]) != t->twin[first]) return 0;
+        first = next;
+    }
+    return 1;
+}
+
 /* The angle at a cell that a boundary walk enters across `in` (of this cell) and leaves across `out`: from where it
-   came, counter-clockwise, to where it goes; in (0, 2 pi]. Across the same edge it goes all round. Across another edge
-   of the same neighbour the chord is the same, and the middles of the two edges tell whether it is all or nothing. */
+   came, counter-clockwise, to where it goes; in (0, 2 pi]. Back into the same neighbour the chord is the same. It goes
+   all round where both edges are of one border; where the two cells enclose a gap between two borders, the middles of
+   the two edges tell whether it is all or nothing. */
 static inline double patic__turn(const patic *t, size_t in, size_t out)
 {
     const patic_cell *cell = &t->cell[t->owner[in]];
     size_t from = t->owner[t->twin[in]], to = t->owner[t->twin[out]];
     double u[3], v[3], x[3], y[3], angle;
     int k;
-    if (in == out) return 2 * patic__pi;
+    if (patic__is_border(t, in, out) || patic__is_border(t, out, in)) return 2 * patic__pi;
     for (k = 0; k < 3; ++k) {
         u[k] = t->cell[from].centre[k] - cell->centre[k];
         v[k] = t->cell[to].centre[k] - cell->centre[k];
@@ -1032,6 +1044,7 @@ static inline size_t patic_defects(patic *t, const double *z)
     }
     for (kept = 0, i = 0; i < t->defects; ++i) {
         if (t->defect[i].core != PATIC_NONE) t->defect[i].loop = PATIC_NONE;
+        if (t->defect[i].order > 1e300) t->defect[i].order = 0; /* a core with nothing round it */
         if (t->defect[i].k != 0) t->defect[kept++] = t->defect[i];
     }
     return t->defects = kept;

@@ -2,7 +2,6 @@
 #ifndef SURFMINK_COMMAND_MEASURE_H
 #define SURFMINK_COMMAND_MEASURE_H
 
-#include "../beyond/crossings.h"
 #include "../beyond/gradient.h"
 #include "batch.h"
 #include "repair.h"
@@ -202,32 +201,13 @@ static void measure_range(measures *m, const batch *b, size_t first, size_t end,
         if (b->polygon[i].fault != SURFMINK_OK) m->of.status[i] = b->polygon[i].fault;
 }
 
-/* Outlines of more corners than this are only looked at with --crossings always. */
-enum { MOST_TO_CROSS = 2000 };
-
-/* Edges that cross: turning and area do not give all of them away. What crosses itself is nothing else, so it is not
-   turned round either. */
+/* What crosses itself is nothing else, so it is not turned round either. */
 static void find_crossings(measures *m, const batch *b, const options *o)
 {
-    size_t i, *pair;
-    int found;
-    for (i = 0; i < b->count; ++i) {
-        const polygon *p = &b->polygon[i];
-        int status = m->of.status[i];
-        pair = m->crossing + 2 * i;
-        pair[0] = pair[1] = p->n;
-        if (status != SURFMINK_OK && status != SURFMINK_CLOCKWISE && status != SURFMINK_CROSSES_ITSELF &&
-            status != SURFMINK_TOO_MUCH_CURVATURE)
-            continue;
-        if (o->crossings == CROSSINGS_NEVER || (o->crossings == CROSSINGS_AUTO && p->n > MOST_TO_CROSS)) continue;
-        switch (p->surface) {
-        case PLANE: found = crossings_plane(p->corner, p->n, pair); break;
-        case SPHERE: found = crossings_sphere(p->corner, p->n, pair); break;
-        default: found = crossings_embedded(p->corner, p->normal, p->n, pair);
-        }
-        if (found == CROSSINGS_NO_MEMORY) die(COMMAND_NAME ": out of memory");
-        if (found == 1) m->of.status[i] = SURFMINK_CROSSES_ITSELF;
-    }
+    size_t i;
+    for (i = 0; i < b->count; ++i)
+        if (find_crossing(&b->polygon[i], m->of.status[i], o, m->crossing + 2 * i) == 1)
+            m->of.status[i] = SURFMINK_CROSSES_ITSELF;
 }
 
 /* For --reverse auto: the clockwise ones are turned round and measured again, in runs of such. */

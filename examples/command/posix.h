@@ -1,5 +1,5 @@
-/* posix.h - what the commands take of POSIX, where it is: isatty, read, poll and stat, to tell a terminal from a file, to
-   take what a pipe holds, to know a file by whatever name. Elsewhere they do without a progress line, rows may come
+/* posix.h - what the commands take of POSIX, where it is: isatty, read, poll and stat, to tell a terminal from a file,
+   to take what a pipe holds, to know a file by whatever name. Elsewhere they do without a progress line, rows may come
    late, and files are known by name alone. To be included before anything else. */
 #ifndef SURFMINK_COMMAND_POSIX_H
 #define SURFMINK_COMMAND_POSIX_H

@@ -3,6 +3,7 @@
 #ifndef SURFMINK_COMMAND_RINGS_H
 #define SURFMINK_COMMAND_RINGS_H
 
+#include "../beyond/crossings.h"
 #include "polygon.h"
 
 /* A last corner nearer to the first than this fraction of the perimeter is the first one, repeated: it has been through
@@ -279,6 +280,30 @@ static void cut_seam(polygon *p, const size_t seam[2])
     p->n = 0;
     for (i = 0; i < turned.n; ++i) add_corner(p, turned.corner + i * stride, turned.normal + 3 * i, turned.line[i]);
     free_polygon(&turned);
+}
+
+/* --- crossings ---------------------------------------------------------------------------------------------------- */
+
+/* Outlines of more corners than this are only looked at with --crossings always. */
+enum { MOST_TO_CROSS = 2000 };
+
+/* Edges that cross: turning and area do not give all of them away. `status` is what surfmink_measure says of the
+   outline. Returns 1 if two edges cross, as crossings.h does; they are in pair, which else has p->n twice. */
+static int find_crossing(const polygon *p, int status, const options *o, size_t pair[2])
+{
+    int found;
+    pair[0] = pair[1] = p->n;
+    if (status != SURFMINK_OK && status != SURFMINK_CLOCKWISE && status != SURFMINK_CROSSES_ITSELF &&
+        status != SURFMINK_TOO_MUCH_CURVATURE)
+        return 0;
+    if (o->crossings == CROSSINGS_NEVER || (o->crossings == CROSSINGS_AUTO && p->n > MOST_TO_CROSS)) return 0;
+    switch (p->surface) {
+    case PLANE: found = crossings_plane(p->corner, p->n, pair); break;
+    case SPHERE: found = crossings_sphere(p->corner, p->n, pair); break;
+    default: found = crossings_embedded(p->corner, p->normal, p->n, pair);
+    }
+    if (found == CROSSINGS_NO_MEMORY) die(COMMAND_NAME ": out of memory");
+    return found;
 }
 
 #endif
