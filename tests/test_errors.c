@@ -561,6 +561,14 @@ THEOREM(neighbouring_normals_are_at_most_90_degrees_apart)
             CHECK_STATUS(surfmink_edges(IN_SPACE(flat, normal, 6), out.length, out.turning, &bad),
                          k ? SURFMINK_OPPOSITE_NORMALS : SURFMINK_OK);
         }
+        for (k = 0; k < 2; ++k) { /* a right angle up to 1e-6 of rounding */
+            lean = k ? -1.5e-6 : -0.5e-6;
+            memcpy(normal + 3 * i, flat + 3 * i, 2 * sizeof *flat);
+            normal[3 * i + 2] = lean;
+            fill();
+            CHECK_STATUS(surfmink_edges(IN_SPACE(flat, normal, 6), out.length, out.turning, &bad),
+                         k ? SURFMINK_OPPOSITE_NORMALS : SURFMINK_OK);
+        }
         normal[3 * i] = normal[3 * i + 1] = 0, normal[3 * i + 2] = 1;
     }
     CHECK_OK(surfmink_edges(IN_SPACE(octant, octant, 3), out.length, out.turning, NULL));
@@ -868,15 +876,129 @@ THEOREM(totals_and_phases_refuse_what_no_outline_has)
     }
 }
 
+/* In an outline of many blocks of corners, wherever the fault is. */
+THEOREM(a_long_outline_is_looked_at_before_anything_is_written)
+{
+    enum { MANY = 300 };
+    static double xy[2 * MANY], round[3 * MANY], normal[3 * MANY], length[MANY], turning[MANY], before[MANY];
+    size_t i, kind;
+    memset(before, 0xA5, sizeof before);
+    for (i = 0; i < MANY; ++i) {
+        double angle = 2 * PI * (double)i / MANY;
+        xy[2 * i] = round[3 * i] = cos(angle);
+        xy[2 * i + 1] = round[3 * i + 1] = sin(angle);
+        round[3 * i + 2] = 0.1;
+        normal[3 * i + 2] = 1;
+    }
+    for (i = 0; i < MANY; ++i)
+        for (kind = 0; kind < 3; ++kind) {
+            surfmink_outline o = kind == 0   ? surfmink_plane(xy, MANY)
+                                 : kind == 1 ? surfmink_sphere(round, MANY, 1)
+                                             : surfmink_embedded(round, normal, MANY);
+            double *corner = kind ? round : xy, kept[3];
+            size_t dim = kind ? 3 : 2, next = i + 1 < MANY ? i + 1 : 0;
+            memcpy(kept, corner + dim * next, dim * sizeof *kept);
+            memcpy(corner + dim * next, corner + dim * i, dim * sizeof *kept);
+            memcpy(length, before, sizeof length);
+            memcpy(turning, before, sizeof turning);
+            CASE("kind %u, corner %u", (unsigned)kind, (unsigned)next);
+            CHECK_STATUS(surfmink_edges(&o, length, turning, &bad), SURFMINK_COINCIDENT_CORNERS);
+            CHECK(bad == i || bad == next);
+            CHECK(memcmp(length, before, sizeof length) == 0 && memcmp(turning, before, sizeof turning) == 0);
+            memcpy(corner + dim * next, kept, dim * sizeof *kept);
+        }
+}
+
+/* Within 8 eps of the antipode an arc has no direction. */
+THEOREM(an_arc_ends_8_eps_before_the_antipode)
+{
+    static const double sine[4] = {6.5 * DBL_EPSILON, 7.5 * DBL_EPSILON, 8.5 * DBL_EPSILON, 12 * DBL_EPSILON};
+    double corner[9] = {1, 0, 0, -1, 0, 0, 0, 0, 1};
+    int k;
+    for (k = 0; k < 4; ++k) {
+        corner[4] = sine[k];
+        fill();
+        CHECK_STATUS(surfmink_edges(ON_SPHERE(corner, 3, 1), out.length, out.turning, &bad),
+                     k < 2 ? SURFMINK_ANTIPODAL_CORNERS : SURFMINK_OK);
+    }
+}
+
+/* Needles, whose area is rounding noise of either sign, and what contradicts itself: in any unit. */
+THEOREM(the_status_in_the_plane_knows_no_unit)
+{
+    static const double crossed[10] = {1, 0, 1, 6, 0, 6, 6, 4, 0, 0};
+    chance c = {46};
+    long negative = 0;
+    int trial, power;
+    for (trial = 0; trial < 400; ++trial) {
+        double corner[10], scaled[10], area = 0, along, t;
+        size_t n = trial ? 3 : 5, i;
+        memcpy(corner, crossed, sizeof corner);
+        if (trial) {
+            along = between(&c, 0, 6);
+            t = between(&c, 0.2, 0.8);
+            corner[0] = between(&c, -1, 1), corner[1] = between(&c, -1, 1);
+            corner[2] = corner[0] + cos(along), corner[3] = corner[1] + sin(along);
+            corner[4] = corner[0] + t * cos(along), corner[5] = corner[1] + t * sin(along);
+            for (i = 0; i < 3; ++i)
+                area += corner[2 * i] * corner[2 * ((i + 1) % 3) + 1] - corner[2 * ((i + 1) % 3)] * corner[2 * i + 1];
+            negative += area < 0;
+        }
+        CASE("%d", trial);
+        for (power = -500; power <= 500; power += 500) {
+            for (i = 0; i < 2 * n; ++i) scaled[i] = ldexp(corner[i], power);
+            fill();
+            if (trial) {
+                int status = surfmink_measure(IN_PLANE(scaled, n), 3, out.mu, NULL, NULL, &bad);
+                CHECK(status == SURFMINK_OK || status == SURFMINK_CLOCKWISE);
+                CHECK_STATUS(status, surfmink_measure(IN_PLANE(corner, n), 3, out.mu, NULL, NULL, &bad));
+            } else {
+                CHECK_STATUS(surfmink_measure(IN_PLANE(scaled, n), 3, out.mu, NULL, NULL, &bad),
+                             SURFMINK_CROSSES_ITSELF);
+            }
+        }
+    }
+    CHECK(negative > 50 && negative < 350);
+}
+
+/* Where the triangles from corner 0 do not do, since an edge passes next to its antipode, other directions do, however
+   far out the corners are. */
+THEOREM(the_status_on_the_sphere_knows_no_distance_of_corners)
+{
+    static const double path[24] = {-1, -1, 1, 1, -1, -1, 1, 1, 1, 1, -1, 1, 1, 1, -1, -1, -1, -1, -1, 1, 1, -1, 1, -1};
+    int power, first;
+    for (first = 0; first < 16; ++first) {
+        double fine[48], scaled[48];
+        size_t i, k;
+        int status = -1;
+        for (i = 0; i < 8; ++i)
+            for (k = 0; k < 3; ++k) {
+                const double *a = path + 3 * i, *b = path + 3 * ((i + 1) % 8);
+                fine[3 * ((2 * i + (size_t)first) % 16) + k] = a[k];
+                fine[3 * ((2 * i + 1 + (size_t)first) % 16) + k] = 0.7 * a[k] + 0.3 * b[k];
+            }
+        for (power = -120; power <= 120; power += 40) {
+            int got;
+            for (i = 0; i < 48; ++i) scaled[i] = ldexp(fine[i], power);
+            fill();
+            got = surfmink_measure(ON_SPHERE(scaled, 16, 1), 3, out.mu, NULL, NULL, &bad);
+            if (status < 0) status = got;
+            CASE("first %d, 2^%d", first, power);
+            CHECK_STATUS(got, status);
+            CHECK_STATUS(got, SURFMINK_CROSSES_ITSELF);
+        }
+    }
+}
+
 THEOREM(a_total_turn_below_the_noise_is_no_turn)
 {
-    /* |S| < max(1e-12 sum |alpha|, 4 n eps): here sum |alpha| = 4, or nearly 0. */
+    /* |S| <= max(1e-12 sum |alpha|, 4 n eps): here sum |alpha| = 4, or nearly 0. */
     static const double l[4] = {1, 1, 1, 1};
-    static const double sums[6] = {2e-12, 8e-12, 1e-313, 1e-15, 3e-15, 1e-14};
-    static const int big[6] = {1, 1, 1, 0, 0, 0}, is_noise[6] = {1, 0, 1, 1, 1, 0};
+    static const double sums[8] = {2e-12, 8e-12, 1e-313, 1e-15, 3e-15, 1e-14, 16 * DBL_EPSILON, 17 * DBL_EPSILON};
+    static const int big[8] = {1, 1, 1, 0, 0, 0, 0, 0}, is_noise[8] = {1, 0, 1, 1, 1, 0, 1, 0};
     double turning[4];
     int k;
-    for (k = 0; k < 6; ++k) {
+    for (k = 0; k < 8; ++k) {
         turning[0] = turning[1] = big[k];
         turning[2] = -big[k];
         turning[3] = -big[k] + sums[k];
@@ -1170,6 +1292,10 @@ int main(void)
     PROVE(a_total_turn_below_the_noise_is_no_turn);
     PROVE(vectors_are_carried_only_along_sound_edges);
     PROVE(tensors_and_spectra_refuse_ranks_that_do_not_exist);
+    PROVE(a_long_outline_is_looked_at_before_anything_is_written);
+    PROVE(an_arc_ends_8_eps_before_the_antipode);
+    PROVE(the_status_in_the_plane_knows_no_unit);
+    PROVE(the_status_on_the_sphere_knows_no_distance_of_corners);
     PROVE(frames_refuse_edges_that_have_none);
     PROVE(points_of_the_sphere_refuse_what_is_none);
     PROVE(what_is_drawn_is_measured_finite_or_refused_untouched);

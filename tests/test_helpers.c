@@ -353,6 +353,26 @@ THEOREM(merging_drops_repeated_corners_and_their_normals)
                 3); /* NaN equals nothing: it is refused later, not lost here */
 }
 
+/* A distance is straight, not one of coordinates, in any unit; and nothing behind the corners is read. */
+THEOREM(merging_takes_straight_distances_of_any_size)
+{
+    static const double corner[6] = {0, 0, 0.8, 0.8, 5, 5}; /* 1.13 apart */
+    int power;
+    for (power = -700; power <= 700; power += 350) {
+        double *copy = (double *)malloc(sizeof corner);
+        size_t i, kept;
+        CHECK(copy);
+        if (!copy) return;
+        for (i = 0; i < 6; ++i) copy[i] = ldexp(corner[i], power);
+        CASE("2^%d", power);
+        CHECK_EQUAL(surfmink_merge(copy, NULL, 3, 2, ldexp(1.1, power)), 3);
+        kept = surfmink_merge(copy, NULL, 3, 2, ldexp(1.2, power));
+        CHECK_EQUAL(kept, 2);
+        CHECK_EQUAL(copy[2] == ldexp(5, power), 1);
+        free(copy);
+    }
+}
+
 THEOREM(a_merged_outline_is_measured_where_it_was_refused)
 {
     chance c = {seed(78)};
@@ -414,6 +434,7 @@ int main(void)
     PROVE(smoothing_takes_the_mean_of_a_corner_and_its_neighbours);
     PROVE(smoothing_takes_the_staircase_out_of_a_pixel_outline);
     PROVE(merging_drops_repeated_corners_and_their_normals);
+    PROVE(merging_takes_straight_distances_of_any_size);
     PROVE(a_merged_outline_is_measured_where_it_was_refused);
     PROVE(points_are_three_numbers);
     return QED();
