@@ -152,6 +152,9 @@ check "without ids: corners" "$(column n)" "3 3"
 printf 'cell x y\na 0 0\na 1 0\na 1 1\n>\na 5 5\na 6 5\na 6 6\n' > in
 run
 has "with ids what parts nothing is told" err "-:5: a blank line, or one with >, within outline a: it goes on"
+printf 'sep=;\ncell;x;y\na;0,5;0\na;1;0\na;1;1\n' > in
+run --quiet
+check "a separator that Excel is told" "$status $(column area)" "0 0.25"
 printf 'Unnamed: 0,x,y\n0,0,0\n1,1,0\n2,1,1\n' > in
 run
 measured "an index of pandas is no id" n 3
@@ -1072,6 +1075,10 @@ run single.off
 cp out want
 run --merge twice.off
 check "a face with a corner twice" "$(cat out)" "$(cat want)"
+printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z
+element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0\n' > strips.ply
+run strips.ply
+stopped "strips of PLY" "strips.ply:7: triangle strips of PLY are not read: MeshLab saves faces"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//2 3//1\n' > missing.obj
 run missing.obj
 stopped "a normal that is missing" "missing.obj:5: there is no normal 2"

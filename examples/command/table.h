@@ -68,13 +68,14 @@ static void read_header(table *t, lines *in, const options *o)
     t->in = in;
     do
         if (!read_line(in)) die("%s: no line names the columns", in->name);
-    while (is_blank_line(in->text) || is_comment(in->text) || *in->text == '>');
+    while (is_blank_line(in->text) || is_comment(in->text) || *in->text == '>' || strncmp(in->text, "sep=", 4) == 0);
     trim_end(in->text);
     t->separator = find_separator_of(in->text);
     split_line(in, t->separator);
     if (is_by_lines(t, o)) {
-        remark("%s: no names, and x,y,x,y,... on each line: each line is an outline%s", in->name,
-               o->y_down ? "" : "; --y-down if y counts rows of an image");
+        remark("%s: no names, and x,y,x,y,... on each line: each line is an outline%s; if these are columns, --columns "
+               "names them",
+               in->name, o->y_down ? "" : "; --y-down if y counts rows of an image");
         t->by_lines = t->has_row = 1;
         t->columns.layout = &layout_plane;
         t->down = o->y_down ? -1 : 1;

@@ -582,6 +582,9 @@ static inline int mesh__ply_header(mesh__reader *r, mesh_file *f, mesh__element 
             if (*elements == MESH__ELEMENTS) return mesh__malformed(r, "at most 16 kinds of elements", r->text);
             e = element + (*elements)++;
             memset(e, 0, sizeof *e);
+            if (mesh__word(&at, "tristrips"))
+                return mesh__fail(r->error, MESH_MALFORMED, r->name, r->line,
+                                  "triangle strips of PLY are not read: MeshLab saves faces");
             e->is = (char)(mesh__word(&at, "vertex") ? 'v' : mesh__word(&at, "face") ? 'f' : 's');
             if (e->is == 's') at += strspn(at, " \t"), at += strcspn(at, " \t");
             if (!mesh__integer(&at, " \t", &e->count) || e->count < 0)
