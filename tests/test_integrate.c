@@ -55,6 +55,19 @@ THEOREM(a_component_is_the_sum_of_lengths_times_powers_of_the_phase)
     }
 }
 
+/* Whole turns are taken off phases of any size, with a relative error of eps / 2. */
+THEOREM(phases_may_be_large)
+{
+    double l[3] = {1, 2, 3}, phase[3], g[4], x;
+    for (x = 1; x < 1e13; x *= -3.7) {
+        phase[0] = phase[1] = phase[2] = x;
+        CASE("%g", x);
+        CHECK_OK(surfmink_irreducible(l, phase, 3, 1, g));
+        CHECK_NEAR(g[2], 6 * cos(x), 6e-16 * (1 + fabs(x)));
+        CHECK_NEAR(g[3], 6 * sin(x), 6e-16 * (1 + fabs(x)));
+    }
+}
+
 THEOREM(edges_without_length_have_components_zero)
 {
     static const double none[3] = {0, 0, 0}, phase[3] = {0, 2, 4}, zero[8] = {0};
@@ -376,6 +389,7 @@ THEOREM(in_the_plane_both_transports_agree_at_every_point)
 int main(void)
 {
     PROVE(a_component_is_the_sum_of_lengths_times_powers_of_the_phase);
+    PROVE(phases_may_be_large);
     PROVE(edges_without_length_have_components_zero);
     PROVE(at_rank_128_fourteen_digits_are_left);
     PROVE(a_component_does_not_depend_on_how_many_are_asked_for);
