@@ -1380,6 +1380,16 @@ for ring in '[-180, 60], [180, 60], [180, 90], [-180, 90]' '[-180, -60], [180, -
     run
     check "GeoJSON, a box round the globe is not lost: $ring" "$status $(grep -c . out)" "2 2"
 done
+for belt in '60 80' '-80 -60'; do # the part nearer to the pole is a hole
+    awk -v belt="$belt" 'BEGIN { split(belt, lat); printf "{\"type\": \"Polygon\", \"coordinates\": [["
+        for (lon = -180; lon <= 180; lon += 20) printf "[%d, %d], ", lon, lat[1]
+        for (lon = 180; lon >= -180; lon -= 20) printf "[%d, %d], ", lon, lat[2]
+        printf "[-180, %d]]]}", lat[1] }' > in
+    run --quiet
+    sed 1d out | sort > sorted
+    check "a belt $belt" "$status $(cut -f 1-3 sorted | tr '\t\n' '  ')" "0 0 18 ok 0/hole1 18 ok "
+    near "its area" "$(awk -F '\t' 'NR == 1 { a = $6 } END { print a - $6 }' sorted)" 0.734424 1e-5
+done
 printf '{"type": "Polygon", "coordinates": [[[-170, 10], [170, 10], [170, 20], [-170, 20]]]}' > in
 run
 has "GeoJSON, an edge over 180 degrees is told" err ": 0: the edge from longitude -170 to 170 is taken the short"

@@ -202,11 +202,27 @@ static int cancel_pairs(seam_node **node, size_t *count, size_t *room)
     return joined;
 }
 
+/* Of two rings round a pole that belong to one part, a belt, the one nearer to the pole is a hole. */
+static void find_belt(lonlat_rings *all, size_t first, size_t *holes)
+{
+    lonlat_ring *r = &all->ring[all->count - 1];
+    int closes;
+    for (; first + 1 < all->count; ++first) {
+        lonlat_ring *other = &all->ring[first];
+        if (other->id != r->id || other->part != r->part || other->hole || r->hole) continue;
+        lonlat_area(all, other, 1, &closes);
+        if (closes) continue;
+        if (fabs(all->point[2 * other->first + 1]) <= fabs(all->point[2 * r->first + 1])) other = r;
+        other->hole = ++*holes;
+    }
+}
+
 /* The rings that the nodes now make come behind the others. What was cut may enclose a hole when it is joined. Returns
    their number: 0 if all that was there is the seam, as of a belt round the globe with two corners on each side. */
 static size_t link_rings(lonlat_rings *all, seam_node *node, size_t count)
 {
     size_t a, i, holes = 0, before = all->count;
+    double area;
     int closes;
     for (a = 0; a < count; ++a) {
         size_t least = node[a].ring;
@@ -224,10 +240,13 @@ static size_t link_rings(lonlat_rings *all, seam_node *node, size_t count)
         r->hole = all->ring[least].hole;
         r->line = all->ring[least].line;
         if (r->hole > holes) holes = r->hole;
+        area = lonlat_area(all, r, 1, &closes);
         if (r->count < 3)
             --all->count;
-        else if (!r->hole && lonlat_area(all, r, 1, &closes) < 0 && closes)
+        else if (!r->hole && closes && area < 0)
             r->hole = ++holes;
+        else if (!r->hole && !closes)
+            find_belt(all, before, &holes);
     }
     return all->count - before;
 }
