@@ -5,6 +5,26 @@
 #include "batch.h"
 #include "repair.h"
 
+/* Begins with the larger of the rings that a seam joins, so that each comes closed, one after the other. */
+static void cut_seam(polygon *p, const size_t seam[2])
+{
+    size_t stride = stride_of(p->surface), i, from;
+    double *sum = sum_areas(p), size[2];
+    polygon turned;
+    sizes_beside(p, sum, seam, size);
+    free(sum);
+    from = seam[size[0] > size[1] ? 0 : 1] + 1;
+    memset(&turned, 0, sizeof turned);
+    begin_polygon(&turned, p->surface, p->id, p->first_line);
+    for (i = 0; i < p->n; ++i) {
+        size_t at = (from + i) % p->n;
+        add_corner(&turned, p->corner + at * stride, p->normal + 3 * at, p->line[at]);
+    }
+    p->n = 0;
+    for (i = 0; i < turned.n; ++i) add_corner(p, turned.corner + i * stride, turned.normal + 3 * i, turned.line[i]);
+    free_polygon(&turned);
+}
+
 /* Ring number `part` of a polygon. One that runs the other way round than the first is a hole, and is turned. */
 static void take_part(polygon *part, const polygon *p, size_t first, size_t end, size_t number, const double turn[3])
 {

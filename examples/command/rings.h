@@ -186,14 +186,14 @@ static size_t hole_begin(const polygon *p)
 
 /* --- seams -------------------------------------------------------------------------------------------------------- */
 
-typedef struct place {
+typedef struct corner_place {
     double x[3];
     size_t corner;
-} place;
+} corner_place;
 
 static int compare_places(const void *one, const void *other)
 {
-    const place *a = (const place *)one, *b = (const place *)other;
+    const corner_place *a = (const corner_place *)one, *b = (const corner_place *)other;
     int k;
     for (k = 0; k < 3; ++k)
         if (a->x[k] < b->x[k] || a->x[k] > b->x[k]) return a->x[k] < b->x[k] ? -1 : 1;
@@ -237,9 +237,9 @@ static int find_seam(const polygon *p, size_t seam[2])
     size_t stride = stride_of(p->surface), i, j, k, n = p->n;
     double least, *sum, size[2];
     int found = 0;
-    place *at;
+    corner_place *at;
     if (n < 8) return 0; /* two rings of three corners, and the two ends of the seam once more */
-    at = (place *)resize(NULL, n, sizeof *at);
+    at = (corner_place *)resize(NULL, n, sizeof *at);
     for (i = 0; i < n; ++i) {
         for (k = 0; k < 3; ++k) at[i].x[k] = k < stride ? p->corner[i * stride + k] + 0.0 : 0; /* no -0 */
         at[i].corner = i;
@@ -260,26 +260,6 @@ static int find_seam(const polygon *p, size_t seam[2])
     free(at);
     free(sum);
     return found;
-}
-
-/* Begins with the larger of the rings that a seam joins, so that each comes closed, one after the other. */
-static void cut_seam(polygon *p, const size_t seam[2])
-{
-    size_t stride = stride_of(p->surface), i, from;
-    double *sum = sum_areas(p), size[2];
-    polygon turned;
-    sizes_beside(p, sum, seam, size);
-    free(sum);
-    from = seam[size[0] > size[1] ? 0 : 1] + 1;
-    memset(&turned, 0, sizeof turned);
-    begin_polygon(&turned, p->surface, p->id, p->first_line);
-    for (i = 0; i < p->n; ++i) {
-        size_t at = (from + i) % p->n;
-        add_corner(&turned, p->corner + at * stride, p->normal + 3 * at, p->line[at]);
-    }
-    p->n = 0;
-    for (i = 0; i < turned.n; ++i) add_corner(p, turned.corner + i * stride, turned.normal + 3 * i, turned.line[i]);
-    free_polygon(&turned);
 }
 
 /* --- crossings ---------------------------------------------------------------------------------------------------- */
