@@ -1079,6 +1079,9 @@ printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty floa
 element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0\n' > strips.ply
 run strips.ply
 stopped "strips of PLY" "strips.ply:7: triangle strips of PLY are not read: MeshLab saves faces"
+printf 'OFF\n3 2\n0 0 0\n1 0 0\n0 1 0\n0\n3 0 1 2\n' > none.off
+run none.off
+check "a face without corners" "$status $(column status)" "2 too_few_corners ok"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//2 3//1\n' > missing.obj
 run missing.obj
 stopped "a normal that is missing" "missing.obj:5: there is no normal 2"

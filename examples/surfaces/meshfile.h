@@ -1615,11 +1615,10 @@ static inline double *mesh_file_means(const mesh_file *f)
     for (i = 0; i < f->faces; ++i) {
         mesh_file_area(f, i, area);
         is_finite = fabs(area[0]) + fabs(area[1]) + fabs(area[2]) <= DBL_MAX;
-        before = f->joint[f->corner[f->begin[i + 1] - 1]];
         for (j = f->begin[i]; j < f->begin[i + 1] && is_finite; ++j) {
+            before = f->joint[f->corner[j > f->begin[i] ? j - 1 : f->begin[i + 1] - 1]];
             v = f->joint[f->corner[j]];
             for (k = 0; k < 3 && v != before; ++k) sum[3 * v + (size_t)k] += area[k]; /* a corner twice counts once */
-            before = v;
         }
     }
     for (v = 0; v < f->vertices; ++v)
