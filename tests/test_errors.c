@@ -961,6 +961,27 @@ THEOREM(the_status_in_the_plane_knows_no_unit)
     CHECK(negative > 50 && negative < 350);
 }
 
+/* An arc that goes there and back is as thin as an outline can be, and right, whichever side rounding takes: of a long
+   one both turns are +pi within 8 eps, which has no sign. */
+THEOREM(an_arc_there_and_back_encloses_nothing_and_is_right)
+{
+    chance c = {47};
+    long negative = 0;
+    int trial;
+    for (trial = 0; trial < 400; ++trial) {
+        double corner[9], t = between(&c, 0.2, 0.8);
+        int k;
+        for (k = 0; k < 6; ++k) corner[k] = between(&c, 0.2, 1) * (k == 3 ? -1 : 1);
+        for (k = 0; k < 3; ++k) corner[6 + k] = corner[k] + t * (corner[3 + k] - corner[k]);
+        CASE("%d", trial);
+        fill();
+        CHECK_OK(surfmink_measure(ON_SPHERE(corner, 3, 1), 3, out.mu, NULL, &out.w, &bad));
+        CHECK_NEAR(out.w.area, 0, 1e-15 * out.w.length * out.w.length);
+        negative += out.w.area < 0;
+    }
+    CHECK(negative > 50 && negative < 350);
+}
+
 /* Where the triangles from corner 0 do not do, since an edge passes next to its antipode, other directions do, however
    far out the corners are. */
 THEOREM(the_status_on_the_sphere_knows_no_distance_of_corners)
@@ -1295,6 +1316,7 @@ int main(void)
     PROVE(a_long_outline_is_looked_at_before_anything_is_written);
     PROVE(an_arc_ends_8_eps_before_the_antipode);
     PROVE(the_status_in_the_plane_knows_no_unit);
+    PROVE(an_arc_there_and_back_encloses_nothing_and_is_right);
     PROVE(the_status_on_the_sphere_knows_no_distance_of_corners);
     PROVE(frames_refuse_edges_that_have_none);
     PROVE(points_of_the_sphere_refuse_what_is_none);
