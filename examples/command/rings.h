@@ -100,6 +100,7 @@ static size_t find_spike(const polygon *p, double *width)
 {
     double least = -1;
     size_t i;
+    *width = 0;
     for (i = 0; i < p->n && p->n >= 3; ++i) {
         size_t before = i > 0 ? i - 1 : p->n - 1, behind = i + 1 < p->n ? i + 1 : 0;
         if (!(angle_between(p, i, before, behind, width) < spike_angle)) continue;
@@ -191,13 +192,19 @@ typedef struct corner_place {
     size_t corner;
 } corner_place;
 
-static int compare_places(const void *one, const void *other)
+static int compare_points(const corner_place *a, const corner_place *b)
 {
-    const corner_place *a = (const corner_place *)one, *b = (const corner_place *)other;
     int k;
     for (k = 0; k < 3; ++k)
         if (a->x[k] < b->x[k] || a->x[k] > b->x[k]) return a->x[k] < b->x[k] ? -1 : 1;
-    return a->corner < b->corner ? -1 : a->corner > b->corner;
+    return 0;
+}
+
+static int compare_places(const void *one, const void *other)
+{
+    const corner_place *a = (const corner_place *)one, *b = (const corner_place *)other;
+    int order = compare_points(a, b);
+    return order ? order : a->corner < b->corner ? -1 : a->corner > b->corner;
 }
 
 /* sum[3 i]: the area vector, twice, of corners 0 to i, each edge seen from corner 0. */
@@ -249,7 +256,7 @@ static int find_seam(const polygon *p, size_t seam[2])
     least *= least * (1e-12 + 2e-16 * (double)n);
     sum = sum_areas(p);
     for (i = 0; i < n && !found; ++i)
-        for (j = i + 1; j < n && j <= i + ALIKE && !found && memcmp(at[i].x, at[j].x, sizeof at->x) == 0; ++j)
+        for (j = i + 1; j < n && j <= i + ALIKE && !found && compare_points(at + i, at + j) == 0; ++j)
             for (k = 0; k < 2 && !found && (k == 0 || at[i].corner == 0); ++k) { /* both may end at corner 0 */
                 seam[0] = at[k ? j : i].corner;
                 seam[1] = k ? n - 1 : at[j].corner - 1;

@@ -180,7 +180,9 @@ static int says_face(char *const *field, const sheet *s, size_t face, int joins)
         r.x[c][0] = (long)x[c][0], r.x[c][1] = (long)x[c][1];
         for (i = 0; i < s->faces; ++i)
             for (k = 0; k < 4; ++k) {
-                if (s->corner[i][k] != v && !(joins && same_place(s->x[s->corner[i][k]], x[c]))) continue;
+                const unsigned at = s->corner[i][k], before = s->corner[i][(k + 3) % 4];
+                if (at != v && !(joins && same_place(s->x[at], x[c]))) continue;
+                if (at == before || (joins && same_place(s->x[at], s->x[before]))) continue; /* twice in this face */
                 area_of(s, i, area);
                 if (!isfinite(area[0]) || !isfinite(area[1]) || !isfinite(area[2])) continue; /* a bad vertex */
                 normal[c][0] += area[0], normal[c][1] += area[1], normal[c][2] += area[2];
