@@ -152,6 +152,9 @@ def one_outline_that_is_wrong_raises_its_name_and_corner():
     raises(surfmink.Refused, "too_few_corners", surfmink.plane, square[:2])
     raises(surfmink.Refused, "bad_argument", surfmink.sphere, octant, radius=-1.0)
     raises(surfmink.Refused, "bad_argument", surfmink.plane, square, max_rank=-1)
+    raises(TypeError, "max_rank is 2.5, not a whole number", surfmink.plane, square, max_rank=2.5)
+    raises(TypeError, "offset has dtype float64, not int64", surfmink.plane, square, [0, 3.5])
+    raises(TypeError, "is complex: numpy.column_stack", surfmink.plane, square[:, 0] + 1j)
     raises(surfmink.Refused, "upright_edge", surfmink.embedded, *upright)
     raises(surfmink.Refused, "opposite_normals|(corner 1)", surfmink.embedded, np.c_[square, 0 * square[:, 0]],
            np.array([[0., 0, 1], [0, 0, -1], [0, 0, 1], [0, 0, 1]]))
