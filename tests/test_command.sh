@@ -660,6 +660,10 @@ for whisker in '4 7\n4 5\n4 4' '4 7\n4 4' '4 5\n4 7\n4 4' '4 7\n3.9999999999999 
     run --smooth 1
     check "it is not smoothed: $whisker" "$status $(field 1 status)" "2 spike"
 done
+printf 'cell x y\na 0 0\na 50 20.00000000001\na 100 40\nb 0 0\nb 100 40\nb 50 20.00000000001\n' > in
+run
+check "slivers" "$(column status) $(wc -l < err | tr -d ' ')" "clockwise ok 1"
+has "a sliver that runs clockwise is no spike" err "; --reverse auto reverses such outlines; if y points down"
 for lon in 180 179.99999999999997 179.9999999999 179.99999; do
     printf "lon lat\n$lon -60\n60 -60\n-60 -60\n-180 -60\n-180 -90\n$lon -90\n" > in
     run

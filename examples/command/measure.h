@@ -313,6 +313,14 @@ static unsigned long line_to_blame(const polygon *p, size_t bad)
     return bad < p->n ? p->line[bad] : p->first_line;
 }
 
+/* Is the whole outline as thin as a spike? */
+static int is_sliver(const polygon *p)
+{
+    double area[3], reach = reach_of(p, 0);
+    area_vector(p, 0, p->n, area);
+    return hypot(hypot(area[0], area[1]), area[2]) < spike_angle * reach * reach;
+}
+
 /* What may be the cause of a refusal by the whole outline: a spike, or an edge that is none. A spike in an outline that
    is measured is a hint, too. */
 static void find_hint(measure *one, const polygon *p)
@@ -325,6 +333,7 @@ static void find_hint(measure *one, const polygon *p)
         one->status != SURFMINK_TOO_MUCH_CURVATURE && one->status != SURFMINK_OK)
         return;
     at = find_spike(p, &one->hint_width);
+    if (at < p->n && one->hint_width > 0 && is_sliver(p)) at = p->n; /* all of it is one spike, and no fault */
     if (at < p->n) {
         one->hint_line = p->line[at];
         one->hint_width /= perimeter_of(p);
