@@ -324,15 +324,27 @@ static int close_file(FILE **file, const char *name, image_error *error)
     return !failed || image_fail(error, name, "cannot be written: %s", strerror(errno));
 }
 
-/* Can the file be written? It is left as it is, or away. */
+/* Can the file be written? It is left as it is, or away. A pipe is not tried: its reader would take that for its end,
+   and wait no longer. */
 static int try_file(const char *name, image_error *error)
 {
-    FILE *there = name ? fopen(name, "rb") : NULL, *file = NULL;
-    int good = open_file(&file, name, "ab", error);
+    FILE *file = NULL;
+    int there;
+#if HAS_POSIX
+    struct stat s;
+    if (!name) return 1;
+    there = stat(name, &s) == 0;
+    if (there && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode)) return 1;
+#else
+    if (!name) return 1;
+    file = fopen(name, "rb");
+    there = file != NULL;
     if (file) fclose(file);
-    if (file && !there) remove(name);
-    if (there) fclose(there);
-    return good;
+#endif
+    if (!open_file(&file, name, "ab", error)) return 0;
+    fclose(file);
+    if (!there) remove(name);
+    return 1;
 }
 
 /* All files, or none: what cannot be written leaves the others as they are. */

@@ -272,6 +272,11 @@ for name in ./four.pgm "$PWD/four.pgm" link.pgm; do
 done
 refuses "./new.off: this file would be overwritten" four.pgm --off new.off --report ./new.off
 refuses "nowhere/r: cannot be written: No such file or directory" four.pgm --off new.off --report nowhere/r
+mkfifo pipe
+cat pipe > piped &
+run four.pgm --report pipe
+wait
+check "a report through a pipe" "$status $(wc -l < piped | tr -d ' ')" "0 5"
 echo kept > kept.off
 refuses "nowhere/r: cannot be written: No such file or directory" four.pgm --off kept.off --report nowhere/r
 check "what is there when another file cannot be written" "$(cat kept.off)" kept

@@ -143,7 +143,8 @@ static size_t find_line_end(lines *in)
         end = feed < cr ? feed : cr;
         if (find(in, &in->nul) < end)
             malformed(in, "a zero byte: this is not plain text%s",
-                      memcmp(in->block, "\xff\xfe", 2) == 0 || memcmp(in->block, "\xfe\xff", 2) == 0
+                      in->number == 1 && in->end > 1 &&
+                              (memcmp(in->block, "\xff\xfe", 2) == 0 || memcmp(in->block, "\xfe\xff", 2) == 0)
                           ? " but UTF-16: iconv -f UTF-16 -t UTF-8 converts it"
                           : "");
         if (in->ended || feed < in->end || cr + 1 < in->end) return end; /* a \r is not the last: \n could follow */
