@@ -650,6 +650,9 @@ static void surfmink__sub(const double *a, const double *b, size_t dim, double *
     for (k = 0; k < dim; ++k) difference[k] = a[k] - b[k];
 }
 
+/* Squares of ordinary magnitude (2^-200, 2^200): products of four such factors neither overflow nor lose digits. */
+static const double surfmink__small = 6.2230152778611417e-61, surfmink__large = 1.6069380442589903e60;
+
 /* The power of two that brings a magnitude m > 0 into [2^-100, 2^100], where products of three factors neither overflow
    nor underflow. It is 1 for all but absurd units, and multiplying by it is exact. */
 static double surfmink__scale(double m)
@@ -680,10 +683,16 @@ static double surfmink__binade(double m)
 /* Copies a vector, scaled to ordinary magnitude; the scale comes back. A zero vector stays zero. */
 static double surfmink__shrink(const double *v, size_t dim, double *out)
 {
-    double m = surfmink__max_abs(v, dim);
-    double scale = m > 0 ? surfmink__scale(m) : 1;
+    double square = 0, m, scale;
     size_t k;
-    for (k = 0; k < dim; ++k) out[k] = v[k] * scale;
+    for (k = 0; k < dim; ++k) {
+        out[k] = v[k];
+        square += v[k] * v[k];
+    }
+    if (square > surfmink__small && square < surfmink__large) return 1;
+    m = surfmink__max_abs(v, dim);
+    scale = m > 0 ? surfmink__scale(m) : 1;
+    for (k = 0; k < dim; ++k) out[k] *= scale;
     return scale;
 }
 
@@ -707,6 +716,7 @@ static void surfmink__unit(const double *v, size_t dim, double *unit)
 /* Formulas that several corners or edges on end go through at once: compilers turn loops over lanes into vector
    instructions, which changes no bit. */
 #define SURFMINK__QUAD 4
+#define SURFMINK__SPAN (3 * (SURFMINK__BLOCK + 2)) /* coordinates of a block of corners and of both neighbours */
 #if defined(__GNUC__)
 #define SURFMINK__INLINE static __inline__ __attribute__((always_inline))
 #else
@@ -893,13 +903,10 @@ static double surfmink__dd_norm(const surfmink__dd v[3])
 /* --- 1. measure --------------------------------------------------------------------------------------------------- */
 
 /* Which corners the plain formulas measure to 1e-15; surfmink__corner_twice measures the others with twice the digits,
-   or refuses them. Thresholds:
-   small, large   squares of edges and of normals, between which products of four factors neither overflow nor lose
-                  digits (2^-200, 2^200)
-   steep          the part of both edges that lies in the tangent plane, as a product: the rounding of an edge is
-                  amplified by its inverse. Great-circle edges of 100 degrees have sin^2 of their half angles 0.6
-   spike          sine over cosine of a turn near pi, below which its sign is rounding (a few eps) */
-static const double surfmink__small = 6.2230152778611417e-61, surfmink__large = 1.6069380442589903e60;
+   or refuses them. Squares of edges and of normals are ordinary. Thresholds:
+   steep   the part of both edges that lies in the tangent plane, as a product: the rounding of an edge is amplified by
+           its inverse. Great-circle edges of 100 degrees have sin^2 of their half angles 0.6
+   spike   sine over cosine of a turn near pi, below which its sign is rounding (a few eps) */
 static const double surfmink__steep = 0.35, surfmink__spike = 1e-14;
 
 static int surfmink__blame(int status, size_t corner, size_t *bad)
@@ -917,7 +924,7 @@ typedef struct surfmink__quad {
 } surfmink__quad;
 
 /* Do the plain formulas measure a turn? NaN does not pass. */
-static int surfmink__plain(double in, double out, double sine, double cosine, double size)
+SURFMINK__INLINE int surfmink__plain(double in, double out, double sine, double cosine, double size)
 {
     double larger = sine * sine > cosine * cosine ? sine * sine : cosine * cosine;
     return in > surfmink__small && in < surfmink__large && out > surfmink__small && out < surfmink__large &&
@@ -1206,19 +1213,22 @@ static int surfmink__corner_twice(const surfmink_outline *o, size_t i, double *l
     return 1;
 }
 
-/* Corners (or normals) from the one before `first` on, where they stand; or a copy of them, if they go round the end of
-   the array or are to be scaled: by a power of two; on a sphere each by its own if that is 0. */
-static const double *surfmink__window(const surfmink_outline *o, const double *from, double scale, size_t first,
-                                      double copy[3 * (SURFMINK__QUAD + 2)])
+/* Corners (or normals) on end, from the one before `first` on, as many as the lanes of `count` corners and their
+   neighbours take; scaled by a power of two, on a sphere each by its own if that is 0. */
+static void surfmink__copy(const surfmink_outline *o, const double *from, double scale, size_t first, size_t count,
+                           double copy[SURFMINK__SPAN])
 {
-    size_t i = surfmink__previous(o, first), k, d, dim = o->kind == SURFMINK_PLANE ? 2 : 3;
-    if (first > 0 && first + SURFMINK__QUAD < o->n && scale >= 1 && scale <= 1) return from + dim * i;
-    for (k = 0; k < SURFMINK__QUAD + 2; ++k) {
-        for (d = 0; d < dim; ++d) copy[dim * k + d] = from[dim * i + d] * scale;
-        if (!(scale > 0)) surfmink__sphere_point(o, i, copy + 3 * k);
+    size_t i = surfmink__previous(o, first), dim = o->kind == SURFMINK_PLANE ? 2 : 3;
+    const double *at = from + dim * i;
+    double *end = copy + dim * ((count + SURFMINK__QUAD - 1) / SURFMINK__QUAD * SURFMINK__QUAD + 2);
+    for (; copy < end; copy += dim) {
+        copy[0] = at[0] * scale;
+        copy[1] = at[1] * scale;
+        if (dim > 2) copy[2] = at[2] * scale;
+        if (!(scale > 0)) surfmink__sphere_point(o, i, copy);
         i = surfmink__next(o, i);
+        at = i > 0 ? at + dim : from;
     }
-    return copy;
 }
 
 /* Normals of neighbours that are 90 degrees apart or more, or not of ordinary size, are none that plain formulas
@@ -1310,12 +1320,11 @@ static int surfmink__corner_surface(const surfmink_outline *o, size_t i, double 
     return SURFMINK_OK;
 }
 
-/* The corners of some lanes, one surface or the other. Returns 0 if a corner among the first `count` is refused. */
-static int surfmink__measure_lanes(const surfmink_outline *o, size_t first, size_t count, double scale,
-                                   surfmink__quad *l)
+/* The corners of some lanes, one surface or the other, from corners and normals on end. Returns 0 if a corner among the
+   first `count` is refused. */
+static int surfmink__measure_lanes(const surfmink_outline *o, size_t first, size_t count, const double *x,
+                                   const double *normal, surfmink__quad *l)
 {
-    double x_copy[3 * (SURFMINK__QUAD + 2)], n_copy[3 * (SURFMINK__QUAD + 2)];
-    const double *x = surfmink__window(o, o->corner, scale, first, x_copy), *n;
     size_t k;
     if (o->kind == SURFMINK_PLANE)
         surfmink__turns_plane(x, l);
@@ -1323,9 +1332,8 @@ static int surfmink__measure_lanes(const surfmink_outline *o, size_t first, size
         surfmink__turns_space(x, x, l);
         surfmink__arcs(x, o->radius, l);
     } else {
-        n = surfmink__window(o, o->normal, 1, first, n_copy);
-        surfmink__turns_space(x, n, l);
-        surfmink__between_normals(n, l);
+        surfmink__turns_space(x, normal, l);
+        surfmink__between_normals(normal, l);
     }
     for (k = 0; k < count; ++k)
         if (!surfmink__plain(l->in[k], l->out[k], l->sine[k], l->cosine[k], l->size[k]) &&
@@ -1370,20 +1378,24 @@ static int surfmink__find_fault(const surfmink_outline *o, size_t *bad)
     return surfmink__blame(SURFMINK_NOT_FINITE, o->n, bad);
 }
 
-/* Edges first .. first + count - 1. All turning angles of single calls, on all surfaces, come from the arctangent
-   below; those of batches from `angles`. */
+/* Edges first .. first + count - 1, at most SURFMINK__BLOCK. All turning angles of single calls, on all surfaces, come
+   from the arctangent below; those of batches from `angles`. */
 static int surfmink__measure_edges(const surfmink_outline *o, size_t first, size_t count, double *length,
                                    double *turning, size_t *bad)
 {
-    const double scale = o->kind == SURFMINK_SPHERE ? surfmink__ray_scale(o) : 1;
+    const size_t dim = o->kind == SURFMINK_PLANE ? 2 : 3;
+    double x[SURFMINK__SPAN], normal[SURFMINK__SPAN], angle[SURFMINK__QUAD];
     surfmink__quad l;
-    double angle[SURFMINK__QUAD];
     size_t i, k, lanes;
     int status;
+    if (o->kind != SURFMINK_SURFACE)
+        surfmink__copy(o, o->corner, o->kind == SURFMINK_SPHERE ? surfmink__ray_scale(o) : 1, first, count, x);
+    if (o->kind == SURFMINK_EMBEDDED) surfmink__copy(o, o->normal, 1, first, count, normal);
     for (i = 0; i < count; i += lanes) {
         lanes = count - i < SURFMINK__QUAD ? count - i : SURFMINK__QUAD;
         if (o->kind != SURFMINK_SURFACE) {
-            if (!surfmink__measure_lanes(o, first + i, lanes, scale, &l)) return surfmink__find_fault(o, bad);
+            if (!surfmink__measure_lanes(o, first + i, lanes, x + dim * i, normal + 3 * i, &l))
+                return surfmink__find_fault(o, bad);
         } else
             for (k = 0; k < SURFMINK__QUAD; ++k) {
                 l.sine[k] = l.cosine[k] = 0;
@@ -1441,17 +1453,18 @@ SURFMINK_DEF int surfmink_edges(const surfmink_outline *outline, double *length,
 {
     surfmink__polygon polygon;
     surfmink__block block;
-    size_t i;
-    int status = surfmink__polygon_of(outline, &polygon, &block, bad);
-    for (i = 0; i < outline->n && status == SURFMINK_OK && polygon.length; ++i) {
-        length[i] = polygon.length[i];
-        turning[i] = polygon.turning[i];
-    }
-    if (status != SURFMINK_OK || polygon.length) return status;
+    size_t first, i;
+    int status = surfmink__polygon_of(outline, &polygon, &block, bad), pass;
     /* A long one is looked at before anything is written; callbacks may be too expensive for that. */
-    for (i = 0; i < outline->n && outline->kind != SURFMINK_SURFACE; i += SURFMINK__BLOCK)
-        if ((status = surfmink__load(&polygon, i, &block, bad)) != SURFMINK_OK) return status;
-    return surfmink__measure_edges(outline, 0, outline->n, length, turning, bad);
+    for (pass = outline->n > SURFMINK__BLOCK && outline->kind != SURFMINK_SURFACE ? 0 : 1; pass < 2; ++pass)
+        for (first = 0; first < outline->n && status == SURFMINK_OK; first += block.count) {
+            status = surfmink__load(&polygon, first, &block, bad);
+            for (i = 0; i < block.count && status == SURFMINK_OK && pass > 0; ++i) {
+                length[first + i] = block.length[i];
+                turning[first + i] = block.turning[i];
+            }
+        }
+    return status;
 }
 
 /* Shoelace about corner 0, with edges as differences: a x e, where a leads from corner 0 to the edge e. */
@@ -1544,24 +1557,29 @@ static void surfmink__triangles(const surfmink__fan *fan, const double *corner, 
     }
 }
 
-/* Solid angle to the left of an outline on a sphere, modulo 4 pi. Sixteen numbers of triangles are multiplied before
-   their argument is taken: their moduli lie between fan->worst and 4. */
-static double surfmink__fan_angle(surfmink__fan *fan, const surfmink_outline *o, double scale)
+/* Solid angle to the left of an outline on a sphere, modulo 4 pi, from the edges first .. end - 1: triangles from
+   corner 0 to its own edges have none. Sixteen numbers of triangles are multiplied before their argument is taken:
+   their moduli lie between fan->worst and 4. */
+static double surfmink__fan_angle(surfmink__fan *fan, const surfmink_outline *o, double scale, size_t first, size_t end)
 {
     surfmink__dd sum = {0, 0};
-    double copy[3 * (SURFMINK__QUAD + 2)], re[SURFMINK__QUAD], im[SURFMINK__QUAD], z[2] = {1, 0}, square;
-    size_t i, k;
-    for (i = 0; i < o->n; i += SURFMINK__QUAD) {
-        surfmink__triangles(fan, surfmink__window(o, o->corner, scale, i, copy), re, im);
-        for (k = 0; k < SURFMINK__QUAD && i + k < o->n; ++k) {
-            square = re[k] * re[k] + im[k] * im[k];
-            if (!(square >= fan->worst)) fan->worst = square;
-            surfmink__multiply(z, re[k], im[k]);
+    double x[SURFMINK__SPAN], re[SURFMINK__QUAD], im[SURFMINK__QUAD], z[2] = {1, 0}, square;
+    size_t i, k, count;
+    for (; first < end; first += count) {
+        count = end - first < SURFMINK__BLOCK ? end - first : SURFMINK__BLOCK;
+        surfmink__copy(o, o->corner, scale, first, count, x);
+        for (i = 0; i < count; i += SURFMINK__QUAD) {
+            surfmink__triangles(fan, x + 3 * i, re, im);
+            for (k = 0; k < SURFMINK__QUAD && i + k < count; ++k) {
+                square = re[k] * re[k] + im[k] * im[k];
+                if (!(square >= fan->worst)) fan->worst = square;
+                surfmink__multiply(z, re[k], im[k]);
+            }
+            if (i % 16 != 12 && i + k < count) continue;
+            surfmink__add(&sum, 2 * surfmink__atan2(z[1], z[0]));
+            z[0] = 1;
+            z[1] = 0;
         }
-        if (i % 16 != 12 && i + k < o->n) continue;
-        surfmink__add(&sum, 2 * surfmink__atan2(z[1], z[0]));
-        z[0] = 1;
-        z[1] = 0;
     }
     return surfmink__value(&sum);
 }
@@ -1620,7 +1638,8 @@ static double surfmink__solid_angle(const surfmink_outline *o, double *solid_ang
         for (k = 0; k < 3 && i == 1; ++k) apex[k] *= size;
         if (!(surfmink__max_abs(apex, 3) > 0)) continue;
         fan = surfmink__fan_of(apex);
-        angle = surfmink__fan_angle(&fan, o, scale);
+        angle =
+            i == 0 ? surfmink__fan_angle(&fan, o, scale, 1, o->n - 1) : surfmink__fan_angle(&fan, o, scale, 0, o->n);
         if (fan.worst <= best) continue;
         best = fan.worst;
         *solid_angle = angle;
@@ -2049,13 +2068,16 @@ static double surfmink__argument(const double g[2])
     return surfmink__atan2(v[1] + 0.0, v[0]);
 }
 
-/* |g_p| / L, which rounding may take an eps or two above 1. */
-static double surfmink__ratio(double re, double im, double length)
+/* The square of |g_p| times a scale. */
+static double surfmink__square(const double g[2], double scale)
 {
-    double mu;
-    re /= length;
-    im /= length;
-    mu = SURFMINK_SQRT(re * re + im * im);
+    return g[0] * scale * (g[0] * scale) + g[1] * scale * (g[1] * scale);
+}
+
+/* |g_p| / L, which rounding may take an eps or two above 1. */
+static double surfmink__ratio(double square, double length)
+{
+    double mu = SURFMINK_SQRT(square) / length;
     return mu > 1 ? 1 : mu;
 }
 
@@ -2066,12 +2088,12 @@ static int surfmink__integrate(const surfmink__polygon *p, const double *phase, 
 {
     surfmink__dd sum[2 * SURFMINK__RANKS], turned;
     surfmink__block b;
-    double phases[SURFMINK__BLOCK], unit = length > 0 ? surfmink__scale(length) : 1, v[2];
+    double phases[SURFMINK__BLOCK], unit = length > 0 ? surfmink__scale(length) : 1, back = 1 / unit, v[2];
     size_t start;
     int first, ranks, k, status;
     for (first = 1; first <= max_rank; first += ranks) {
         ranks = max_rank - first < SURFMINK__RANKS ? max_rank - first + 1 : SURFMINK__RANKS;
-        for (k = 0; k < 2 * SURFMINK__RANKS; ++k) sum[k].high = sum[k].low = 0;
+        for (k = 0; k < 2 * ranks; ++k) sum[k].high = sum[k].low = 0;
         turned.high = turned.low = 0;
         for (start = 0; start < p->n; start += b.count) {
             if ((status = surfmink__load(p, start, &b, NULL)) != SURFMINK_OK) return status;
@@ -2082,10 +2104,10 @@ static int surfmink__integrate(const surfmink__polygon *p, const double *phase, 
             v[0] = surfmink__value(sum + 2 * (size_t)k);
             v[1] = surfmink__value(sum + 2 * (size_t)k + 1);
             if (g) {
-                g[2 * (size_t)(first + k)] = v[0] / unit;
-                g[2 * (size_t)(first + k) + 1] = v[1] / unit;
+                g[2 * (size_t)(first + k)] = v[0] * back;
+                g[2 * (size_t)(first + k) + 1] = v[1] * back;
             }
-            if (mu) mu[first + k] = surfmink__ratio(v[0], v[1], length * unit);
+            if (mu) mu[first + k] = surfmink__ratio(surfmink__square(v, 1), length * unit);
             if (theta) theta[first + k] = surfmink__argument(v) / (first + k);
         }
     }
@@ -2101,15 +2123,16 @@ static int surfmink__integrate(const surfmink__polygon *p, const double *phase, 
 static int surfmink__polygon_from(const double *length, const double *turning, size_t n, int max_rank,
                                   surfmink__polygon *p, double *total)
 {
-    surfmink__sums sums;
+    surfmink__dd sum = {0, 0};
+    size_t i;
     int status = max_rank >= 0 ? surfmink__check_edges(length, turning, n) : SURFMINK_BAD_ARGUMENT;
     p->outline = NULL;
     p->length = length;
     p->turning = turning;
     p->n = n;
     if (status != SURFMINK_OK) return status;
-    surfmink__sum_edges(p, &sums, NULL);
-    *total = sums.length;
+    for (i = 0; i < n; ++i) surfmink__add(&sum, length[i]);
+    *total = surfmink__value(&sum);
     return *total <= surfmink__room ? SURFMINK_OK : SURFMINK_NOT_FINITE;
 }
 
@@ -2135,7 +2158,7 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
     unit = total > 0 ? surfmink__scale(total) : 1;
     for (first = 1; first <= max_rank; first += ranks) {
         ranks = max_rank - first < SURFMINK__RANKS ? max_rank - first + 1 : SURFMINK__RANKS;
-        for (k = 0; k < 2 * SURFMINK__RANKS; ++k) sum[k].high = sum[k].low = 0;
+        for (k = 0; k < 2 * ranks; ++k) sum[k].high = sum[k].low = 0;
         turned.high = turned.low = 0;
         for (i = count = 0; i <= n; ++i) { /* edges passed since the fiducial point */
             at = edge + i < n ? edge + i : edge + i - n;
@@ -2234,20 +2257,20 @@ SURFMINK_DEF int surfmink_contract(const double *tensor, int p, const double vec
 
 SURFMINK_DEF int surfmink_spectrum(const double *g, int max_rank, double *lambda, double *mu, double *theta)
 {
-    double size;
+    double scale, length;
     const double *at;
     int p;
     if (max_rank < 0) return SURFMINK_BAD_ARGUMENT;
     if (!surfmink__finite(g, 2 * ((size_t)max_rank + 1))) return SURFMINK_NOT_FINITE;
     if (!(g[0] > 0)) return SURFMINK_BAD_ARGUMENT;
-    for (p = 0; p <= max_rank; ++p) {
-        size = surfmink__norm(g + 2 * (size_t)p, 2);
-        if (!surfmink__finite(&size, 1) || size > 2 * g[0]) return SURFMINK_NOT_FINITE;
-    }
+    scale = surfmink__scale(g[0]);
+    length = g[0] * scale;
+    for (p = 0; p <= max_rank; ++p)
+        if (!(surfmink__square(g + 2 * (size_t)p, scale) <= 4 * length * length)) return SURFMINK_NOT_FINITE;
     for (p = 0; p <= max_rank; ++p) {
         at = g + 2 * (size_t)p;
         if (lambda) lambda[p] = surfmink__norm(at, 2);
-        if (mu) mu[p] = surfmink__ratio(at[0], at[1], g[0]);
+        if (mu) mu[p] = surfmink__ratio(surfmink__square(at, scale), length);
         if (theta) theta[p] = p > 0 ? surfmink__argument(at) / p : 0;
     }
     return SURFMINK_OK;
