@@ -1220,10 +1220,12 @@ static void surfmink__copy(const surfmink_outline *o, const double *from, double
 {
     size_t i = surfmink__previous(o, first), dim = o->kind == SURFMINK_PLANE ? 2 : 3;
     const double *at = from + dim * i;
-    double *end = copy + dim * ((count + SURFMINK__QUAD - 1) / SURFMINK__QUAD * SURFMINK__QUAD + 2);
+    double x, y, *end = copy + dim * ((count + SURFMINK__QUAD - 1) / SURFMINK__QUAD * SURFMINK__QUAD + 2);
     for (; copy < end; copy += dim) {
-        copy[0] = at[0] * scale;
-        copy[1] = at[1] * scale;
+        x = at[0] * scale;
+        y = at[1] * scale;
+        copy[0] = x;
+        copy[1] = y;
         if (dim > 2) copy[2] = at[2] * scale;
         if (!(scale > 0)) surfmink__sphere_point(o, i, copy);
         i = surfmink__next(o, i);
@@ -1504,32 +1506,21 @@ static void surfmink__multiply(double w[2], double re, double im)
    the argument of |a||x||y| + |y| a.x + |a| x.y + |x| y.a + i a.(x x y). */
 typedef struct surfmink__fan {
     double a[3], norm;
-    surfmink__dd axis[3]; /* a in [1, 2) */
-    double worst;         /* smallest square of the moduli of these numbers over |a||x||y|: near 0 next to -a */
+    double worst; /* smallest square of the moduli of these numbers over |a||x||y|: near 0 next to -a */
 } surfmink__fan;
-
-static surfmink__fan surfmink__fan_of(const double a[3])
-{
-    surfmink__fan fan;
-    size_t k;
-    for (k = 0; k < 3; ++k) {
-        fan.a[k] = a[k];
-        fan.axis[k] = surfmink__dd_of(a[k], 0);
-    }
-    surfmink__dd_shrink(fan.axis, 3);
-    fan.norm = surfmink__norm(a, 3);
-    fan.worst = 16;
-    return fan;
-}
 
 /* a.(x x y) / |a||x||y| with twice the digits, for triangles with a steep side. */
 static double surfmink__triple(const surfmink__fan *fan, const double x[3], const double y[3], double norms)
 {
-    surfmink__dd left_x[3], left_y[3];
-    double triple, axis = surfmink__dd_norm(fan->axis), scale = surfmink__leftward(fan->axis, fan->a, x, left_x);
-    scale *= surfmink__leftward(fan->axis, fan->a, y, left_y);
-    triple = surfmink__dd_triple(fan->axis, left_x, left_y).high / scale;
-    return triple / (axis * axis * axis) * (fan->norm / norms);
+    surfmink__dd a[3], left_x[3], left_y[3];
+    double triple, norm, scale;
+    size_t k;
+    for (k = 0; k < 3; ++k) a[k] = surfmink__dd_of(fan->a[k], 0);
+    surfmink__dd_shrink(a, 3);
+    scale = surfmink__leftward(a, fan->a, x, left_x) * surfmink__leftward(a, fan->a, y, left_y);
+    norm = surfmink__dd_norm(a);
+    triple = surfmink__dd_triple(a, left_x, left_y).high / scale;
+    return triple / (norm * norm * norm) * (fan->norm / norms);
 }
 
 /* The numbers of triangles on end, over |a||x||y|. The triple product is put together from differences, so that small
@@ -1626,18 +1617,19 @@ static double surfmink__solid_angle(const surfmink_outline *o, double *solid_ang
     static const double direction[14][3] = {{1, .1, .2},   {-1, -.2, .1}, {.2, 1, -.1},  {-.1, -1, -.2}, {.1, -.2, 1},
                                             {-.2, .1, -1}, {1, .9, .8},   {-1, .8, .9},  {.9, -1, .8},   {.8, .9, -1},
                                             {-.9, -1, .8}, {-1, .9, -.8}, {.8, -.9, -1}, {-.8, -1, -.9}};
-    double scale = surfmink__ray_scale(o), size, apex[3], angle, best = 0;
+    double scale = surfmink__ray_scale(o), size, angle, best = 0;
     surfmink__fan fan;
     size_t i, k;
     if (!surfmink__alike(o, scale)) scale = 0;
-    size = scale > 0 ? 1 / surfmink__binade(surfmink__max_abs(o->corner, 3) * scale) : 1; /* as far out as corners */
     for (i = 0; i < 16 && best < 0.25; ++i) {
-        for (k = 0; k < 3; ++k) apex[k] = i == 0 ? o->corner[k] * scale : i > 1 ? direction[i - 2][k] * size : 0;
-        if (i == 0 && !(scale > 0)) surfmink__sphere_point(o, 0, apex);
-        if (i == 1) surfmink__vector_area(o, scale, apex);
-        for (k = 0; k < 3 && i == 1; ++k) apex[k] *= size;
-        if (!(surfmink__max_abs(apex, 3) > 0)) continue;
-        fan = surfmink__fan_of(apex);
+        if (i == 1) surfmink__vector_area(o, scale, fan.a);
+        size = i > 0 && scale > 0 ? 1 / surfmink__binade(surfmink__max_abs(o->corner, 3) * scale) : 1;
+        for (k = 0; k < 3 && i > 0; ++k) fan.a[k] = size * (i > 1 ? direction[i - 2][k] : fan.a[k]);
+        for (k = 0; k < 3 && i == 0; ++k) fan.a[k] = o->corner[k] * scale;
+        if (i == 0 && !(scale > 0)) surfmink__sphere_point(o, 0, fan.a);
+        fan.norm = surfmink__norm(fan.a, 3);
+        fan.worst = 16;
+        if (!(fan.norm > 0)) continue;
         angle =
             i == 0 ? surfmink__fan_angle(&fan, o, scale, 1, o->n - 1) : surfmink__fan_angle(&fan, o, scale, 0, o->n);
         if (fan.worst <= best) continue;
@@ -2037,17 +2029,18 @@ static void surfmink__add_ranks(const double *length, const double *phase, size_
                                 int ranks, surfmink__dd *sum)
 {
     surfmink__powers powers;
-    double g[2 * SURFMINK__RANKS][SURFMINK__QUAD], l[SURFMINK__QUAD], f[SURFMINK__QUAD], swap;
+    double g[2 * SURFMINK__RANKS][SURFMINK__QUAD], l[SURFMINK__BLOCK], f[SURFMINK__BLOCK], swap;
     size_t i, k;
     int p;
+    for (i = 0; i < count; ++i) {
+        l[i] = length[i] * unit;
+        f[i] = surfmink__reduced(phase[i]);
+    }
+    for (; i % SURFMINK__QUAD; ++i) l[i] = f[i] = 0;
     for (p = 0; p < 2 * ranks; ++p)
         for (k = 0; k < SURFMINK__QUAD; ++k) g[p][k] = 0;
     for (i = 0; i < count; i += SURFMINK__QUAD) {
-        for (k = 0; k < SURFMINK__QUAD; ++k) {
-            l[k] = i + k < count ? length[i + k] * unit : 0;
-            f[k] = i + k < count ? surfmink__reduced(phase[i + k]) : 0;
-        }
-        surfmink__power(l, f, first, &powers);
+        surfmink__power(l + i, f + i, first, &powers);
         for (p = 0; p < 2 * ranks; p += 2)
             for (k = 0; k < SURFMINK__QUAD; ++k) {
                 g[p][k] += powers.w[0][k];
