@@ -59,14 +59,14 @@ FUZZ = -DFUZZ_WITH_LIBFUZZER -fsanitize=fuzzer,address,undefined,float-divide-by
 
 all: $(addprefix $(BUILD)/,$(commands))
 
-$(BUILD)/%: examples/%.c $(headers)
-	@mkdir -p $(@D)
-	$(CC) -std=c99 $(CPPFLAGS) -I. $(CFLAGS) $< -o $@ $(LDFLAGS) $(LDLIBS)
-
-# The implementation is compiled once for all tests but one, which looks inside, for the paper and for the pictures.
+# The implementation is compiled once for all programs but the test that looks inside.
 $(BUILD)/surfmink.o: surfmink.h
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -DSURFMINK_IMPLEMENTATION $(CPPFLAGS) -I. $(CFLAGS) -x c -c $< -o $@
+
+$(BUILD)/%: examples/%.c $(BUILD)/surfmink.o $(headers)
+	@mkdir -p $(@D)
+	$(CC) -std=c99 -DSURFMINK_IMPLEMENTED $(CPPFLAGS) -I. $(CFLAGS) $< $(BUILD)/surfmink.o -o $@ $(LDFLAGS) $(LDLIBS)
 
 # Tests are compiled with -O1 unless CFLAGS are given: that takes half the time, and they run as long.
 test_cflags := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS))

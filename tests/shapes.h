@@ -39,11 +39,12 @@ static inline void random_star(chance *c, size_t n, double *xy)
         xy[2 * i] = r * cos(angle);
         xy[2 * i + 1] = r * sin(angle);
     }
-    for (i = 1; i + 1 < n; ++i) /* nearly straight corners, on either side */
+    for (i = 1; i + 1 < n; ++i) /* nearly straight corners, on either side, where the neighbours' angle allows it */
         if (one_of(c, 5) == 0 && gap[i - 1] + gap[i] < 0.9 * PI) {
-            double bulge = 1 + between(c, -1e-9, 1e-9);
-            xy[2 * i] = (xy[2 * i - 2] + xy[2 * i + 2]) / 2 * bulge;
-            xy[2 * i + 1] = (xy[2 * i - 1] + xy[2 * i + 3]) / 2 * bulge;
+            double bulge = 1 + between(c, -1e-9, 1e-9), *x = xy + 2 * i;
+            if (!(x[-2] * x[3] - x[-1] * x[2] > 0)) continue;
+            x[0] = (x[-2] + x[2]) / 2 * bulge;
+            x[1] = (x[-1] + x[3]) / 2 * bulge;
         }
 }
 

@@ -74,7 +74,7 @@ static double missed(const double m[3], const double t[3], const double n[3], co
    normals end less than 90 degrees apart, as for the coarse field. */
 static double agreement(chance *c, const revolved *s, double lowest, double highest, double length)
 {
-    const int draws = 2000;
+    const int draws = 1000;
     double sum = 0, x[4], m[3], t[3], n[3], u[3], r, angle;
     int count = 0, draw;
     for (draw = 0; draw < draws; ++draw) {

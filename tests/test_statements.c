@@ -679,11 +679,12 @@ THEOREM(the_printed_errors_of_f_are_those_at_corners)
 
 /* --- paper 5.3: sentences on the sweeps --------------------------------------------------------------------------- */
 
-/* mu of a flower on E(1.6, 1.3, 1.0), by Richardson's extrapolation from 4096 and 8192 chords. */
+/* mu of a flower on E(1.6, 1.3, 1.0), by Richardson's extrapolation from 1024 and 2048 chords. */
 static void measure_flower(double r0, double a, int omega, double y0, double *mu)
 {
+    enum { CHORDS = 2048 };
     static flower_exact exact;
-    static double corner[3 * MOST], normal[3 * MOST];
+    static double corner[3 * CHORDS], normal[3 * CHORDS];
     flower curve = {{1.6, 1.3, 1.0}, 0, 0, 0, PI / 2, 0};
     double coarse[P + 1];
     surfmink_outline o;
@@ -693,11 +694,11 @@ static void measure_flower(double r0, double a, int omega, double y0, double *mu
     curve.omega = omega;
     curve.y0 = y0 * PI;
     flower_integrate(&curve, &exact);
-    flower_polygon(&exact, MOST / 2, corner, normal);
-    o = surfmink_embedded(corner, normal, MOST / 2);
+    flower_polygon(&exact, CHORDS / 2, corner, normal);
+    o = surfmink_embedded(corner, normal, CHORDS / 2);
     CHECK_OK(surfmink_measure(&o, P, coarse, NULL, NULL, NULL));
-    flower_polygon(&exact, MOST, corner, normal);
-    o = surfmink_embedded(corner, normal, MOST);
+    flower_polygon(&exact, CHORDS, corner, normal);
+    o = surfmink_embedded(corner, normal, CHORDS);
     CHECK_OK(surfmink_measure(&o, P, mu, NULL, NULL, NULL));
     for (p = 0; p <= P; ++p) mu[p] = (4 * mu[p] - coarse[p]) / 3;
 }
