@@ -223,8 +223,8 @@ static void says_what_its_map_says(const double *xyz, const double *map, size_t 
     CHECK_CLOSE(w[1].curvature, w[0].area, 5e-15 * w[0].condition);
     CHECK_CLOSE(w[1].turning, 2 * PI, 1e-15 * w[0].condition);
     for (p = 1; p <= P; ++p) {
-        CHECK_NEAR(mu[1][p], mu[0][p], 5e-15 * w[0].condition);
-        CHECK_NEAR(mu[0][p] * remainder(p * (theta[1][p] - theta[0][p]), 2 * PI), 0, 1e-14 * (1 + w[0].condition));
+        CHECK_NEAR(mu[1][p], mu[0][p], 1e-14 * w[0].condition);
+        CHECK_NEAR(mu[0][p] * remainder(p * (theta[1][p] - theta[0][p]), 2 * PI), 0, 2e-14 * w[0].condition);
     }
 }
 
