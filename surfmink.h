@@ -1367,17 +1367,23 @@ static int surfmink__check_view(const surfmink_outline *o, size_t *bad)
     return surfmink__has_arrays(o) ? SURFMINK_OK : surfmink__blame(SURFMINK_BAD_ARGUMENT, o->n, bad);
 }
 
-/* What is wrong with an outline that is refused: first corners, then edges, which are blamed on their later corner. */
+/* What is wrong with an outline that is refused: the first bad corner; else the first bad edge, which is blamed on its
+   later corner. */
 static int surfmink__find_fault(const surfmink_outline *o, size_t *bad)
 {
-    size_t i;
-    int status;
-    for (i = 0; i < o->n; ++i)
-        if ((status = surfmink__check_corner(o, i)) != SURFMINK_OK) return surfmink__blame(status, i, bad);
-    for (i = 0; i < o->n; ++i)
-        if ((status = surfmink__check_edge(o, i)) != SURFMINK_OK)
-            return surfmink__blame(status, i + 1 < o->n ? i + 1 : i, bad);
-    return surfmink__blame(SURFMINK_NOT_FINITE, o->n, bad);
+    size_t i, at = o->n;
+    int found, status = SURFMINK_NOT_FINITE;
+    for (i = o->n; i > 0; --i) {
+        if ((found = surfmink__check_corner(o, i - 1)) == SURFMINK_OK) continue;
+        status = found;
+        at = i - 1;
+    }
+    for (i = at < o->n ? 0 : o->n; i > 0; --i) {
+        if ((found = surfmink__check_edge(o, i - 1)) == SURFMINK_OK) continue;
+        status = found;
+        at = i < o->n ? i : i - 1;
+    }
+    return surfmink__blame(status, at, bad);
 }
 
 /* Edges first .. first + count - 1, at most SURFMINK__BLOCK. All turning angles of single calls, on all surfaces, come
@@ -1486,11 +1492,10 @@ static double surfmink__shoelace(const surfmink_outline *o, double scale)
 /* W_0 in the plane times the square of a power of two: 1 but for areas that overflow or lose digits. */
 static double surfmink__area_plane(const surfmink_outline *o, double *scale)
 {
-    double area = surfmink__shoelace(o, 1), largest;
+    double area = surfmink__shoelace(o, 1);
     *scale = 1;
     if (surfmink__abs(area) > surfmink__small && surfmink__abs(area) < surfmink__large) return area;
-    largest = surfmink__max_abs(o->corner, 2 * o->n);
-    if (largest > 0) *scale = surfmink__scale(largest);
+    *scale = surfmink__scale(surfmink__max_abs(o->corner, 2 * o->n));
     return surfmink__shoelace(o, *scale);
 }
 
@@ -1675,7 +1680,7 @@ static double surfmink__area_embedded(const surfmink_outline *o)
         scale = turn > scale ? turn : scale;
         for (k = 0; k < 3; ++k) centre[k] += e[k] / (double)o->n;
     }
-    scale = scale > 0 && scale <= surfmink__largest ? surfmink__scale(scale) : 1;
+    scale = surfmink__scale(scale);
     area = surfmink__vector_area(o, scale, direction);
     surfmink__unit(o->normal, 3, n);
     n_up = surfmink__dot(n, direction);
@@ -3387,19 +3392,19 @@ SURFMINK__VECTOR void SURFMINK__(store_row)(const double *a, const double *b, si
     if (dim > 2) SURFMINK__(store_pair)(a[2], b[2], row + 2 * SURFMINK__COLUMN);
 }
 
-/* Spreads corners (or normals) of all lanes over columns, two lanes at a time. For corners also the row before the
-   first and the one behind the last. Short lanes are padded with the corner behind their last one: edges of length 0,
-   which turn nowhere. */
+/* Spreads corners (or normals) of all lanes over columns, two lanes at a time, with the row before the first and the one
+   behind the last. Short lanes are padded with the corner behind their last one: edges of length 0, which turn
+   nowhere. */
 SURFMINK__VECTOR void SURFMINK__(gather)(const double *from, size_t dim, const SURFMINK__(span) *span, size_t rows,
-                                         int ends, double *column)
+                                         double *column)
 {
-    size_t lane, i, both, end = (rows + (ends ? 1 : 0)) * dim;
+    size_t lane, i, both, end = (rows + 1) * dim;
     for (lane = 0; lane < SURFMINK__LANES; lane += 2, span += 2, column += 2) {
         const SURFMINK__(span) *next = span + 1;
         const double *a = from + dim * span->at, *b = from + dim * next->at;
         const double *a_behind = from + dim * span->behind, *b_behind = from + dim * next->behind;
         double *row = column + SURFMINK__LANES;
-        if (ends) SURFMINK__(store_row)(from + dim * span->before, from + dim * next->before, dim, column);
+        SURFMINK__(store_row)(from + dim * span->before, from + dim * next->before, dim, column);
         both = dim * (span->count < next->count ? span->count : next->count);
         for (i = 0; i < both; i += dim, row += SURFMINK__LANES) SURFMINK__(store_row)(a + i, b + i, dim, row);
         for (; i < end; i += dim, row += SURFMINK__LANES) SURFMINK__(store_row)
@@ -3422,8 +3427,8 @@ SURFMINK__KERNEL void SURFMINK__(gather_rows)(const surfmink__job *job, const SU
             span[lane].at + span[lane].count < base + g->size[lane] ? span[lane].at + span[lane].count : base;
         span[lane].before = (span[lane].at > base ? span[lane].at : base + g->size[lane]) - 1;
     }
-    SURFMINK__(gather)(job->all->corner, job->all->kind == SURFMINK_PLANE ? 2 : 3, span, rows, 1, r->column[0]);
-    if (job->all->kind == SURFMINK_EMBEDDED) SURFMINK__(gather)(job->all->normal, 3, span, rows, 1, r->column[3]);
+    SURFMINK__(gather)(job->all->corner, job->all->kind == SURFMINK_PLANE ? 2 : 3, span, rows, r->column[0]);
+    if (job->all->kind == SURFMINK_EMBEDDED) SURFMINK__(gather)(job->all->normal, 3, span, rows, r->column[3]);
 }
 
 /* Step 1, and the angles of step 2. */

@@ -731,6 +731,25 @@ THEOREM(a_surface_needs_callbacks_and_a_stride)
     REFUSES(surfmink_edge_points(&surface, corner, corner + 2, 3, out.vector), SURFMINK_BAD_ARGUMENT);
 }
 
+THEOREM(a_view_without_corners_or_normals_is_refused)
+{
+    double xyz[15], normal[15];
+    pentagon(EMBEDDED, xyz);
+    memcpy(normal, xyz, sizeof normal);
+    BLAMES(surfmink_measure(IN_SPACE(xyz, NULL, 5), 3, out.mu, out.g, &out.w, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    BLAMES(surfmink_measure(IN_SPACE(NULL, normal, 5), 3, out.mu, out.g, &out.w, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    BLAMES(surfmink_edges(IN_PLANE(NULL, 5), out.length, out.turning, &bad), SURFMINK_BAD_ARGUMENT, 5);
+    REFUSES(surfmink_area(ON_SPHERE(NULL, 5, 1.0), &out.w.area), SURFMINK_BAD_ARGUMENT);
+}
+
+/* Whether or not its area is asked for. */
+THEOREM(an_outline_whose_area_overflows_is_refused)
+{
+    static const double up[9] = {0, 0, 1, 0, 0, 1, 0, 0, 1}, large[9] = {0, 0, 0, 3e200, 0, 0, 0, 4e200, 0};
+    BLAMES(surfmink_measure(IN_SPACE(large, up, 3), 3, out.mu, out.g, &out.w, &bad), SURFMINK_NOT_FINITE, 3);
+    BLAMES(surfmink_measure(IN_SPACE(large, up, 3), 3, out.mu, out.g, NULL, &bad), SURFMINK_NOT_FINITE, 3);
+}
+
 THEOREM(a_view_of_no_kind_or_of_another_length_is_refused)
 {
     double flat[10], called[15], area, carried[2] = {1, 0};
@@ -1306,6 +1325,8 @@ int main(void)
     PROVE(a_failing_callback_comes_back_with_its_name_and_corner);
     PROVE(nonsense_from_a_callback_is_not_believed);
     PROVE(a_surface_needs_callbacks_and_a_stride);
+    PROVE(a_view_without_corners_or_normals_is_refused);
+    PROVE(an_outline_whose_area_overflows_is_refused);
     PROVE(a_view_of_no_kind_or_of_another_length_is_refused);
     PROVE(a_callback_that_fails_the_second_time_is_told);
     PROVE(building_needs_a_size_and_fails_as_a_whole);

@@ -371,6 +371,25 @@ THEOREM(the_split_edge_is_one_edge_more_at_every_rank)
     }
 }
 
+/* Lengths of 0, and more edges than are worked on at a time. */
+THEOREM(no_length_has_no_component_and_a_long_one_is_one)
+{
+    enum { EDGES = 1000 };
+    static double length[EDGES], turning[EDGES];
+    double g[26];
+    size_t i;
+    int p;
+    for (i = 0; i < EDGES; ++i) turning[i] = 2 * PI / EDGES;
+    CHECK_OK(surfmink_irreducible_parallel(length, turning, EDGES, 7, 0.5, 12, g));
+    for (p = 0; p <= 25; ++p) CHECK_NEAR(g[p], 0, 0);
+    for (i = 0; i < EDGES; ++i) length[i] = i % (EDGES / 5) ? 0 : 2; /* five edges of length 2 */
+    CHECK_OK(surfmink_irreducible_parallel(length, turning, EDGES, 0, 0, 12, g));
+    for (p = 0; p <= 12; ++p) {
+        CHECK_NEAR(g[2 * p], p % 5 ? 0 : 10, 2e-14);
+        CHECK_NEAR(g[2 * p + 1], 0, 1e-13);
+    }
+}
+
 THEOREM(in_the_plane_both_transports_agree_at_every_point)
 {
     chance c = {seed(40)};
@@ -404,6 +423,7 @@ int main(void)
     PROVE(by_classical_transport_the_octant_is_a_square);
     PROVE(classical_transport_splits_the_edge_of_its_point);
     PROVE(the_split_edge_is_one_edge_more_at_every_rank);
+    PROVE(no_length_has_no_component_and_a_long_one_is_one);
     PROVE(in_the_plane_both_transports_agree_at_every_point);
     return QED();
 }
