@@ -1888,7 +1888,7 @@ SURFMINK_DEF int surfmink_total(const surfmink_outline *outline, const double *l
                                 surfmink_functionals *w)
 {
     surfmink__polygon p;
-    surfmink_functionals total = {0, 0, 0, 0, 0};
+    surfmink_functionals total;
     double sum;
     int status = surfmink__check_edges(length, turning, n);
     if (status == SURFMINK_OK && outline)
@@ -1913,13 +1913,15 @@ static int surfmink__factor(const double *turning, size_t n, int transport, doub
     int status;
     if (n < 3) return SURFMINK_TOO_FEW_CORNERS;
     if (!surfmink__finite(turning, n)) return SURFMINK_NOT_FINITE;
-    *factor = 1;
-    if (transport == SURFMINK_PARALLEL) return SURFMINK_OK;
-    if (transport != SURFMINK_CORRECTED && transport != SURFMINK_DEFECT) return SURFMINK_BAD_ARGUMENT;
+    if (transport != SURFMINK_CORRECTED && transport != SURFMINK_PARALLEL && transport != SURFMINK_DEFECT)
+        return SURFMINK_BAD_ARGUMENT;
     p.outline = NULL;
     p.length = p.turning = turning;
     p.n = n;
     surfmink__sum_edges(&p, &sums, NULL);
+    if (!surfmink__finite(&sums.turned, 1)) return SURFMINK_NOT_FINITE;
+    *factor = 1;
+    if (transport == SURFMINK_PARALLEL) return SURFMINK_OK;
     status = surfmink__check_turning(sums.turning, sums.turned, n);
     if (status != SURFMINK_OK) return status;
     *factor = transport == SURFMINK_CORRECTED ? surfmink__two_pi / sums.turning
@@ -1966,7 +1968,9 @@ SURFMINK_DEF int surfmink_transport_angle(const double *turning, size_t n, size_
         surfmink__add(&turned, -turning[edge]);
         edge = edge > 0 ? edge - 1 : n - 1;
     }
-    *carried = angle - factor * surfmink__value(&turned);
+    angle -= factor * surfmink__value(&turned);
+    if (!surfmink__finite(&angle, 1)) return SURFMINK_NOT_FINITE;
+    *carried = angle;
     return SURFMINK_OK;
 }
 
@@ -2148,11 +2152,12 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
 {
     surfmink__polygon p;
     surfmink__dd sum[2 * SURFMINK__RANKS], turned;
-    double total, unit, part[SURFMINK__BLOCK], phase[SURFMINK__BLOCK];
+    double total, unit, factor, part[SURFMINK__BLOCK], phase[SURFMINK__BLOCK];
     size_t i, at, count;
     int first, ranks, k, status = surfmink__polygon_from(length, turning, n, max_rank, &p, &total);
     if (status != SURFMINK_OK) return status;
     if (edge >= n || !(fraction >= 0 && fraction < 1)) return SURFMINK_BAD_ARGUMENT;
+    if ((status = surfmink__factor(turning, n, SURFMINK_PARALLEL, &factor)) != SURFMINK_OK) return status;
     unit = total > 0 ? surfmink__scale(total) : 1;
     for (first = 1; first <= max_rank; first += ranks) {
         ranks = max_rank - first < SURFMINK__RANKS ? max_rank - first + 1 : SURFMINK__RANKS;

@@ -829,6 +829,21 @@ THEOREM(building_needs_a_size_and_fails_as_a_whole)
 
 /* --- the later steps ---------------------------------------------------------------------------------------------- */
 
+/* Finite ones, whose sum is not. */
+THEOREM(turns_whose_sum_overflows_are_refused)
+{
+    static const double l[3] = {1, 1, 1}, huge[3] = {1e308, -1e308, 1e308}, large[3] = {5e307, -5e307, 5e307};
+    int transport;
+    REFUSES(surfmink_total(NULL, l, huge, 3, &out.w), SURFMINK_TOO_MUCH_CURVATURE);
+    REFUSES(surfmink_irreducible_parallel(l, huge, 3, 0, 0.5, 3, out.g), SURFMINK_NOT_FINITE);
+    CHECK_OK(surfmink_irreducible_parallel(l, large, 3, 0, 0.5, 3, out.g));
+    for (transport = 0; transport < 3; ++transport) {
+        REFUSES(surfmink_phases(huge, 3, transport, out.turning), SURFMINK_NOT_FINITE);
+        REFUSES(surfmink_transport_angle(huge, 3, 0, 1, transport, 0.0, out.mu), SURFMINK_NOT_FINITE);
+    }
+    REFUSES(surfmink_transport_angle(large, 3, 0, 12, SURFMINK_PARALLEL, 0.0, out.mu), SURFMINK_NOT_FINITE);
+}
+
 THEOREM(totals_and_phases_refuse_what_no_outline_has)
 {
     static const double l[4] = {1, 1, 1, 1}, a[4] = {1.5, 1.5, 1.5, 1.5}, away[4] = {-1.5, -1.5, -1.5, 1},
@@ -1330,6 +1345,7 @@ int main(void)
     PROVE(a_view_of_no_kind_or_of_another_length_is_refused);
     PROVE(a_callback_that_fails_the_second_time_is_told);
     PROVE(building_needs_a_size_and_fails_as_a_whole);
+    PROVE(turns_whose_sum_overflows_are_refused);
     PROVE(totals_and_phases_refuse_what_no_outline_has);
     PROVE(a_total_turn_below_the_noise_is_no_turn);
     PROVE(vectors_are_carried_only_along_sound_edges);
