@@ -101,8 +101,9 @@
      instructions, differ within ACCURACY; so do fused a*b+c, and x87 with -std=c99. Rounding up, down or towards zero
      doubles that difference, but batches in vector instructions then lose half of their digits. -ffast-math, and x87
      without -std=c99, remove the digits beyond a double: mu_p is then good to 1e-14 (1 + c')^2, with c' =
-     (sum |alpha_i| + |2 pi - S|) / S, and the area on a sphere to 1e-14 (1 + c')^2 R^2. With -ffast-math NaN and
-     infinity are not refused.
+     (sum |alpha_i| + |2 pi - S|) / S, and the area on a sphere to 1e-14 (1 + c')^2 R^2; where corners lie off the
+     sphere by more than an outline is wide, mu_p to 1e-16 R over that width. With -ffast-math NaN and infinity are not
+     refused.
 
    docs/CHANGELOG.md has the history of versions, and the calls that replace those of 0.3. */
 #ifndef SURFMINK_H
@@ -716,7 +717,9 @@ static void surfmink__unit(const double *v, size_t dim, double *unit)
 /* Formulas that several corners or edges on end go through at once: compilers turn loops over lanes into vector
    instructions, which changes no bit. */
 #define SURFMINK__QUAD 4
-#define SURFMINK__SPAN (3 * (SURFMINK__BLOCK + 2)) /* coordinates of a block of corners and of both neighbours */
+/* Corners in full lanes, with both neighbours; coordinates of a block of them. */
+#define SURFMINK__PADDED(count) (((count) + SURFMINK__QUAD - 1) / SURFMINK__QUAD * SURFMINK__QUAD + 2)
+#define SURFMINK__SPAN          (3 * SURFMINK__PADDED(SURFMINK__BLOCK))
 #if defined(__GNUC__)
 #define SURFMINK__INLINE static __inline__ __attribute__((always_inline))
 #else
@@ -943,17 +946,15 @@ SURFMINK__INLINE void surfmink__turn(const double a[3], double aa, const double 
     *sine = n[0] * (sy * z - sz * y) + n[1] * (sz * x - sx * z) + n[2] * (sx * y - sy * x);
 }
 
-/* In what follows x[0], x[1], .. are the corner before the first lane, its own, .. that behind the last lane. Square
-   roots have loops of their own, for they may set errno and keep compilers from making vectors. */
-static void surfmink__turns_plane(const double *x, surfmink__quad *l)
+/* In what follows edge[0] arrives at the corner of the first lane, edge[1] leaves it, ..; n[0], n[1], .. are the
+   normals (or corners) at the corner before the first lane, its own, .. that behind the last. Square roots have loops
+   of their own, for they may set errno and keep compilers from making vectors. */
+static void surfmink__turns_plane(const double *edge, surfmink__quad *l)
 {
-    double a[2], b[2], d[2], s[2], aa, bb;
+    const double *a = edge, *b = edge + 2;
+    double d[2], s[2], aa, bb;
     size_t k;
-    for (k = 0; k < SURFMINK__QUAD; ++k) {
-        a[0] = x[2 * k + 2] - x[2 * k];
-        a[1] = x[2 * k + 3] - x[2 * k + 1];
-        b[0] = x[2 * k + 4] - x[2 * k + 2];
-        b[1] = x[2 * k + 5] - x[2 * k + 3];
+    for (k = 0; k < SURFMINK__QUAD; ++k, a += 2, b += 2) {
         aa = a[0] * a[0] + a[1] * a[1];
         bb = b[0] * b[0] + b[1] * b[1];
         d[0] = b[0] - a[0];
@@ -969,17 +970,12 @@ static void surfmink__turns_plane(const double *x, surfmink__quad *l)
     for (k = 0; k < SURFMINK__QUAD; ++k) l->length[k] = SURFMINK_SQRT(l->out[k]);
 }
 
-static void surfmink__turns_space(const double *x, const double *n, surfmink__quad *l)
+static void surfmink__turns_space(const double *edge, const double *n, surfmink__quad *l)
 {
-    double a[3], b[3], aa, bb, nn[SURFMINK__QUAD];
+    const double *a = edge, *b = edge + 3;
+    double aa, bb, nn[SURFMINK__QUAD];
     size_t k;
-    for (k = 0; k < SURFMINK__QUAD; ++k) {
-        a[0] = x[3 * k + 3] - x[3 * k];
-        a[1] = x[3 * k + 4] - x[3 * k + 1];
-        a[2] = x[3 * k + 5] - x[3 * k + 2];
-        b[0] = x[3 * k + 6] - x[3 * k + 3];
-        b[1] = x[3 * k + 7] - x[3 * k + 4];
-        b[2] = x[3 * k + 8] - x[3 * k + 5];
+    for (k = 0; k < SURFMINK__QUAD; ++k, a += 3, b += 3) {
         aa = surfmink__dot(a, a);
         bb = surfmink__dot(b, b);
         nn[k] = surfmink__dot(n + 3 * k + 3, n + 3 * k + 3);
@@ -1220,7 +1216,7 @@ static void surfmink__copy(const surfmink_outline *o, const double *from, double
 {
     size_t i = surfmink__previous(o, first), dim = o->kind == SURFMINK_PLANE ? 2 : 3;
     const double *at = from + dim * i;
-    double x, y, *end = copy + dim * ((count + SURFMINK__QUAD - 1) / SURFMINK__QUAD * SURFMINK__QUAD + 2);
+    double x, y, *end = copy + dim * SURFMINK__PADDED(count);
     for (; copy < end; copy += dim) {
         x = at[0] * scale;
         y = at[1] * scale;
@@ -1231,6 +1227,14 @@ static void surfmink__copy(const surfmink_outline *o, const double *from, double
         i = surfmink__next(o, i);
         at = i > 0 ? at + dim : from;
     }
+}
+
+/* The edges between corners that were copied. Nothing else is done here: with -ffast-math compilers would make
+   x - 2 y + z of the difference of two edges, which has no digits where corners are close. */
+static void surfmink__edges_between(const double *x, size_t dim, size_t count, double edge[SURFMINK__SPAN])
+{
+    size_t k, end = dim * (SURFMINK__PADDED(count) - 1);
+    for (k = 0; k < end; ++k) edge[k] = x[k + dim] - x[k];
 }
 
 /* Normals of neighbours that are 90 degrees apart or more, or not of ordinary size, are none that plain formulas
@@ -1259,17 +1263,17 @@ static double surfmink__ray_scale(const surfmink_outline *o)
    that of the chord; its length needs the chord within the unit sphere, whose square is
    (|y - x|^2 - (|y| - |x|)^2) / |x||y|. A corner is not plain where the edge rises by more than a tenth of its
    length, is shorter than eps, or ends next to the antipode. */
-static void surfmink__arcs(const double *x, double radius, surfmink__quad *l)
+static void surfmink__arcs(const double *x, const double *edge, double radius, surfmink__quad *l)
 {
     double norm[SURFMINK__QUAD + 1], rise, chord[SURFMINK__QUAD], root[SURFMINK__QUAD];
-    const double *a = x + 3, *b = x + 6;
+    const double *a = x + 3, *b = x + 6, *e = edge + 3;
     size_t k;
     for (k = 0; k <= SURFMINK__QUAD; ++k) {
         norm[k] = SURFMINK_SQRT(surfmink__dot(x + 3 * k + 3, x + 3 * k + 3));
         if (!(norm[k] > 0)) norm[k] = 1; /* the centre, which is refused: nothing is divided by 0 */
     }
-    for (k = 0; k < SURFMINK__QUAD; ++k, a += 3, b += 3) {
-        rise = (b[0] - a[0]) * (b[0] + a[0]) + (b[1] - a[1]) * (b[1] + a[1]) + (b[2] - a[2]) * (b[2] + a[2]);
+    for (k = 0; k < SURFMINK__QUAD; ++k, a += 3, b += 3, e += 3) {
+        rise = e[0] * (b[0] + a[0]) + e[1] * (b[1] + a[1]) + e[2] * (b[2] + a[2]);
         rise = rise / (norm[k] + norm[k + 1]); /* |y| - |x| */
         chord[k] = (l->out[k] - rise * rise) / (norm[k] * norm[k + 1]);
         if (!(100 * rise * rise < l->out[k] && chord[k] > surfmink__eps * surfmink__eps && chord[k] < 3.5))
@@ -1322,21 +1326,18 @@ static int surfmink__corner_surface(const surfmink_outline *o, size_t i, double 
     return SURFMINK_OK;
 }
 
-/* The corners of some lanes, one surface or the other, from corners and normals on end. Returns 0 if a corner among the
-   first `count` is refused. */
-static int surfmink__measure_lanes(const surfmink_outline *o, size_t first, size_t count, const double *x,
+/* The corners of some lanes, one surface or the other, from edges and normals (on a sphere: corners) on end. Returns 0
+   if a corner among the first `count` is refused. */
+static int surfmink__measure_lanes(const surfmink_outline *o, size_t first, size_t count, const double *edge,
                                    const double *normal, surfmink__quad *l)
 {
     size_t k;
     if (o->kind == SURFMINK_PLANE)
-        surfmink__turns_plane(x, l);
-    else if (o->kind == SURFMINK_SPHERE) {
-        surfmink__turns_space(x, x, l);
-        surfmink__arcs(x, o->radius, l);
-    } else {
-        surfmink__turns_space(x, normal, l);
-        surfmink__between_normals(normal, l);
-    }
+        surfmink__turns_plane(edge, l);
+    else
+        surfmink__turns_space(edge, normal, l);
+    if (o->kind == SURFMINK_SPHERE) surfmink__arcs(normal, edge, o->radius, l);
+    if (o->kind == SURFMINK_EMBEDDED) surfmink__between_normals(normal, l);
     for (k = 0; k < count; ++k)
         if (!surfmink__plain(l->in[k], l->out[k], l->sine[k], l->cosine[k], l->size[k]) &&
             !surfmink__corner_twice(o, first + k, l->length + k, l->sine + k, l->cosine + k))
@@ -1392,17 +1393,20 @@ static int surfmink__measure_edges(const surfmink_outline *o, size_t first, size
                                    double *turning, size_t *bad)
 {
     const size_t dim = o->kind == SURFMINK_PLANE ? 2 : 3;
-    double x[SURFMINK__SPAN], normal[SURFMINK__SPAN], angle[SURFMINK__QUAD];
+    double x[SURFMINK__SPAN], edge[SURFMINK__SPAN], normal[SURFMINK__SPAN], angle[SURFMINK__QUAD];
+    const double *n = o->kind == SURFMINK_SPHERE ? x : normal;
     surfmink__quad l;
     size_t i, k, lanes;
     int status;
-    if (o->kind != SURFMINK_SURFACE)
+    if (o->kind != SURFMINK_SURFACE) {
         surfmink__copy(o, o->corner, o->kind == SURFMINK_SPHERE ? surfmink__ray_scale(o) : 1, first, count, x);
+        surfmink__edges_between(x, dim, count, edge);
+    }
     if (o->kind == SURFMINK_EMBEDDED) surfmink__copy(o, o->normal, 1, first, count, normal);
     for (i = 0; i < count; i += lanes) {
         lanes = count - i < SURFMINK__QUAD ? count - i : SURFMINK__QUAD;
         if (o->kind != SURFMINK_SURFACE) {
-            if (!surfmink__measure_lanes(o, first + i, lanes, x + dim * i, normal + 3 * i, &l))
+            if (!surfmink__measure_lanes(o, first + i, lanes, edge + dim * i, n + 3 * i, &l))
                 return surfmink__find_fault(o, bad);
         } else
             for (k = 0; k < SURFMINK__QUAD; ++k) {
@@ -1530,25 +1534,24 @@ static double surfmink__triple(const surfmink__fan *fan, const double x[3], cons
 
 /* The numbers of triangles on end, over |a||x||y|. The triple product is put together from differences, so that small
    triangles keep their digits. */
-static void surfmink__triangles(const surfmink__fan *fan, const double *corner, double re[SURFMINK__QUAD],
-                                double im[SURFMINK__QUAD])
+static void surfmink__triangles(const surfmink__fan *fan, const double *corner, const double *edge,
+                                double re[SURFMINK__QUAD], double im[SURFMINK__QUAD])
 {
-    double norm[SURFMINK__QUAD + 1], norms, to_x[3], edge[3], cross[3], rise, edge_rise;
-    const double *x = corner + 3, *y = corner + 6;
+    double norm[SURFMINK__QUAD + 1], norms, to_x[3], cross[3], rise, edge_rise;
+    const double *x = corner + 3, *y = corner + 6, *e = edge + 3;
     size_t k;
     for (k = 0; k <= SURFMINK__QUAD; ++k) norm[k] = SURFMINK_SQRT(surfmink__dot(x + 3 * k, x + 3 * k));
-    for (k = 0; k < SURFMINK__QUAD; ++k, x += 3, y += 3) {
+    for (k = 0; k < SURFMINK__QUAD; ++k, x += 3, y += 3, e += 3) {
         surfmink__sub(x, fan->a, 3, to_x);
-        surfmink__sub(y, x, 3, edge);
         norms = fan->norm * norm[k] * norm[k + 1];
-        surfmink__cross(to_x, edge, cross);
+        surfmink__cross(to_x, e, cross);
         im[k] = surfmink__dot(fan->a, cross) / norms;
         re[k] = norm[k + 1] * surfmink__dot(fan->a, x) + fan->norm * surfmink__dot(x, y) +
                 norm[k] * surfmink__dot(y, fan->a);
         re[k] = 1 + re[k] / norms;
         rise = norm[k] - fan->norm;
         edge_rise = norm[k + 1] - norm[k];
-        if (2 * rise * rise > surfmink__dot(to_x, to_x) || 2 * edge_rise * edge_rise > surfmink__dot(edge, edge))
+        if (2 * rise * rise > surfmink__dot(to_x, to_x) || 2 * edge_rise * edge_rise > surfmink__dot(e, e))
             im[k] = surfmink__triple(fan, x, y, norms);
     }
 }
@@ -1559,13 +1562,14 @@ static void surfmink__triangles(const surfmink__fan *fan, const double *corner, 
 static double surfmink__fan_angle(surfmink__fan *fan, const surfmink_outline *o, double scale, size_t first, size_t end)
 {
     surfmink__dd sum = {0, 0};
-    double x[SURFMINK__SPAN], re[SURFMINK__QUAD], im[SURFMINK__QUAD], z[2] = {1, 0}, square;
+    double x[SURFMINK__SPAN], edge[SURFMINK__SPAN], re[SURFMINK__QUAD], im[SURFMINK__QUAD], z[2] = {1, 0}, square;
     size_t i, k, count;
     for (; first < end; first += count) {
         count = end - first < SURFMINK__BLOCK ? end - first : SURFMINK__BLOCK;
         surfmink__copy(o, o->corner, scale, first, count, x);
+        surfmink__edges_between(x, 3, count, edge);
         for (i = 0; i < count; i += SURFMINK__QUAD) {
-            surfmink__triangles(fan, x + 3 * i, re, im);
+            surfmink__triangles(fan, x + 3 * i, edge + 3 * i, re, im);
             for (k = 0; k < SURFMINK__QUAD && i + k < count; ++k) {
                 square = re[k] * re[k] + im[k] * im[k];
                 if (!(square >= fan->worst)) fan->worst = square;
@@ -1681,6 +1685,7 @@ static double surfmink__area_embedded(const surfmink_outline *o)
         for (k = 0; k < 3; ++k) centre[k] += e[k] / (double)o->n;
     }
     scale = surfmink__scale(scale);
+    for (k = 0; k < 3; ++k) centre[k] *= scale;
     area = surfmink__vector_area(o, scale, direction);
     surfmink__unit(o->normal, 3, n);
     n_up = surfmink__dot(n, direction);
@@ -1688,7 +1693,7 @@ static double surfmink__area_embedded(const surfmink_outline *o)
         next = surfmink__next(o, i);
         surfmink__unit(o->normal + 3 * next, 3, m);
         for (k = 0; k < 3; ++k) {
-            to_x[k] = (o->corner[3 * i + k] - o->corner[k] - centre[k]) * scale;
+            to_x[k] = (o->corner[3 * i + k] - o->corner[k]) * scale - centre[k];
             e[k] = (o->corner[3 * next + k] - o->corner[3 * i + k]) * scale;
         }
         m_up = surfmink__dot(m, direction);
@@ -1811,7 +1816,8 @@ static int surfmink__check_sphere(const surfmink_outline *o, double turned, surf
     int status = surfmink__check_turning(w->turning, turned, o->n);
     windings = surfmink__round((w->turning + solid_angle) / surfmink__two_pi);
     if (!(surfmink__abs(0.5 * windings - surfmink__round(0.5 * windings)) > 0.25)) return SURFMINK_CROSSES_ITSELF;
-    if (modulus > 0.3) w->curvature = solid_angle + (1 - windings) * surfmink__two_pi;
+    if (modulus > 0.3) w->curvature = solid_angle;
+    if (modulus > 0.3 && !(windings > 0.5 && windings < 1.5)) w->curvature += (1 - windings) * surfmink__two_pi;
     if (status == SURFMINK_CLOCKWISE)
         return w->curvature < 2 * surfmink__two_pi ? SURFMINK_CLOCKWISE : SURFMINK_CROSSES_ITSELF;
     if (!(w->curvature > -surfmink__flat * (w->length / o->radius) * (w->length / o->radius)))
@@ -3397,7 +3403,7 @@ SURFMINK__VECTOR void SURFMINK__(store_row)(const double *a, const double *b, si
     if (dim > 2) SURFMINK__(store_pair)(a[2], b[2], row + 2 * SURFMINK__COLUMN);
 }
 
-/* Spreads corners (or normals) of all lanes over columns, two lanes at a time, with the row before the first and the one
+/* Spreads corners (or normals) of all lanes over columns, two lanes at a time, with the row before the first and that
    behind the last. Short lanes are padded with the corner behind their last one: edges of length 0, which turn
    nowhere. */
 SURFMINK__VECTOR void SURFMINK__(gather)(const double *from, size_t dim, const SURFMINK__(span) *span, size_t rows,

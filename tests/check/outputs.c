@@ -52,17 +52,17 @@ static double scaled(int64_t number, int exponent)
     return x;
 }
 
-/* The fraction below one of two positive integers below 2^62, cut off after 50 bits. */
+/* The fraction below one of two positive integers below 2^62, cut off after 53 bits that count. */
 static double fraction(uint64_t part, uint64_t whole)
 {
     uint64_t bits = 0;
     int i;
-    for (i = 0; i < 50; ++i) {
+    for (i = 0; i < 100 && bits < UINT64_C(1) << 52; ++i) {
         part *= 2;
         bits = 2 * bits + (part >= whole);
         if (part >= whole) part -= whole;
     }
-    return scaled((int64_t)bits, -50);
+    return scaled((int64_t)bits, -i);
 }
 
 /* Seen from the origin these corners follow each other round a square, counter-clockwise; all below 2^30. */
@@ -110,7 +110,7 @@ static void onto_paraboloid(int64_t x, int64_t y, int unit, int saddle, int scal
 
 static void make_outline(outline *o, int which)
 {
-    int64_t xy[CORNERS][2], x, y, shift;
+    int64_t xy[CORNERS][2], x, y, shift, east = 0, south = 0;
     int scale, unit, turn, saddle;
     size_t i, k;
     chance = (uint64_t)which;
@@ -131,6 +131,7 @@ static void make_outline(outline *o, int which)
     case 6: memcpy(xy[k + 1], xy[k], sizeof *xy); break;                 /* a repeated corner */
     case 8: xy[k + 1][0] = xy[k][0] + 1, xy[k + 1][1] = xy[k][1]; break; /* a tiny edge */
     case 9: memcpy(xy[k + 2], xy[k], sizeof *xy), ++xy[k + 2][0]; break; /* nearly a spike */
+    case 11: shift = 20, east = south = 314491699; break; /* a cell of 5e-7 where two coordinates pass 1/2 */
     default: break;
     }
     for (i = 0; i < o->n; ++i) {
@@ -140,7 +141,7 @@ static void make_outline(outline *o, int which)
         o->plane[2 * i] = scaled(x, scale - 30);
         o->plane[2 * i + 1] = scaled(y, scale - 30);
         onto_paraboloid(x, y, unit, saddle, scale, o->embedded + 3 * i, o->normal + 3 * i);
-        onto_sphere(x / (1 << shift), y / (1 << shift), turn, o->sphere + 3 * i);
+        onto_sphere(east + x / (1 << shift), y / (1 << shift) - south, turn, o->sphere + 3 * i);
     }
 }
 
