@@ -1032,30 +1032,15 @@ static void surfmink__axis(const surfmink_outline *o, size_t i, surfmink__dd axi
 }
 
 /* n x (y - x): the edge from x to y within the tangent plane, turned to the left, times a power of two, which comes
-   back. What rounding takes from y - x is kept, and what is along n is taken off first: where that is almost all, what
-   is left needs all its digits. A multiple of 24 bits is exact, and three times that is enough. */
+   back. What rounding takes from y - x is kept, and products lose 2^-100: where all but 8 eps of an edge is along n,
+   what is left still has the digits of a double. */
 static double surfmink__leftward(const surfmink__dd n[3], const double x[3], const double y[3], surfmink__dd left[3])
 {
     surfmink__dd edge[3];
-    double scale, along, nn = 0, high;
+    double scale;
     size_t k;
-    int times;
-    for (k = 0; k < 3; ++k) {
-        edge[k] = surfmink__dd_of(y[k], -x[k]);
-        nn += n[k].high * n[k].high;
-    }
+    for (k = 0; k < 3; ++k) edge[k] = surfmink__dd_of(y[k], -x[k]);
     scale = surfmink__dd_shrink(edge, 3);
-    for (times = 0; times < 3; ++times) {
-        along = 0;
-        for (k = 0; k < 3; ++k) along += edge[k].high * n[k].high;
-        along = (double)(float)(along / nn);
-        for (k = 0; k < 3; ++k) {
-            high = (double)(float)n[k].high;
-            surfmink__add(edge + k, -along * high);
-            surfmink__add(edge + k, -along * (n[k].high - high));
-            edge[k] = surfmink__dd_of(edge[k].high, edge[k].low);
-        }
-    }
     surfmink__dd_cross(n, edge, left);
     return scale;
 }
