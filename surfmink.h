@@ -1813,21 +1813,43 @@ static int surfmink__check_sphere(const surfmink_outline *o, double turned, surf
     return SURFMINK_OK;
 }
 
+/* By how much S + W differs from 2 pi, or from -2 pi if S < 0, where W is the solid angle of the normals. It is the sum
+   of the triangles that neighbours make with the mean normal, if all normals are within 90 degrees of that; else it is
+   known modulo 4 pi, and a curve that winds three times may be taken for one on a saddle. */
+static double surfmink__gauss_bonnet(const surfmink_outline *o, double turning, const double mean[3])
+{
+    surfmink_outline image = surfmink_sphere(o->normal, o->n, 1);
+    double n[3], a[3], b[3], cross[3], sum = turning - surfmink__two_pi, angle = 0;
+    size_t i;
+    surfmink__solid_angle(&image, &angle);
+    angle = surfmink__modulo(sum + angle);
+    if (!(surfmink__max_abs(mean, 3) > 0)) return angle;
+    surfmink__unit(mean, 3, n);
+    if (turning < 0) sum += 2 * surfmink__two_pi;
+    for (i = 0; i < o->n; ++i) {
+        surfmink__unit(o->normal + 3 * i, 3, a);
+        surfmink__unit(o->normal + 3 * surfmink__next(o, i), 3, b);
+        if (!(surfmink__dot(n, a) > 0)) return angle;
+        surfmink__cross(a, b, cross);
+        sum += 2 * surfmink__atan2(surfmink__dot(n, cross),
+                                   1 + surfmink__dot(n, a) + surfmink__dot(n, b) + surfmink__dot(a, b));
+    }
+    return sum;
+}
+
 /* S + W = 2 pi holds up to discretisation, which amounts to 0.007 for cells of tissues: nothing has to be looked at for
    S in [pi, 3 pi], as all ordinary cells have it. */
 static int surfmink__check_embedded(const surfmink_outline *o, double turned, surfmink_functionals *w)
 {
-    surfmink_outline image = surfmink_sphere(o->normal, o->n, 1);
-    double direction[3], mean[3], scale, off = 0;
+    double direction[3], mean[3], scale;
     int status = surfmink__check_turning(w->turning, turned, o->n), inwards;
     if (w->turning < surfmink__pi || w->turning > 3 * surfmink__pi) {
-        surfmink__solid_angle(&image, &off);
-        off = surfmink__modulo(w->turning + off - surfmink__two_pi);
-        if (!(surfmink__abs(off) < surfmink__pi)) return SURFMINK_CROSSES_ITSELF;
+        surfmink__mean_normal(o, mean);
+        if (!(surfmink__abs(surfmink__gauss_bonnet(o, w->turning, mean)) < surfmink__pi))
+            return SURFMINK_CROSSES_ITSELF;
         if (status == SURFMINK_TOO_MUCH_CURVATURE) return status;
         scale = surfmink__scale(w->length);
         surfmink__vector_area(o, scale, direction);
-        surfmink__mean_normal(o, mean);
         inwards = surfmink__dot(direction, mean) < 0;
         if (inwards != (status == SURFMINK_CLOCKWISE)) return SURFMINK_CROSSES_ITSELF;
     }

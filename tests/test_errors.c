@@ -829,6 +829,26 @@ THEOREM(building_needs_a_size_and_fails_as_a_whole)
 
 /* --- the later steps ---------------------------------------------------------------------------------------------- */
 
+/* Star polygons {7/2} and {7/3}, in either direction. */
+THEOREM(what_winds_more_than_once_crosses_itself)
+{
+    double xy[14], xyz[21];
+    int winding, sense, i;
+    for (winding = 2; winding <= 3; ++winding)
+        for (sense = -1; sense <= 1; sense += 2) {
+            for (i = 0; i < 7; ++i) {
+                xy[2 * i] = 0.3 * cos(2 * PI * i * winding / 7);
+                xy[2 * i + 1] = 0.3 * sense * sin(2 * PI * i * winding / 7);
+                xyz[3 * i] = xy[2 * i], xyz[3 * i + 1] = xy[2 * i + 1], xyz[3 * i + 2] = 1;
+            }
+            CASE("%d times, %d", winding, sense);
+            BLAMES(surfmink_measure(IN_PLANE(xy, 7), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CROSSES_ITSELF, 7);
+            BLAMES(surfmink_measure(ON_SPHERE(xyz, 7, 1.0), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CROSSES_ITSELF,
+                   7);
+            BLAMES(surfmink_measure(IN_SPACE(xyz, xyz, 7), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CROSSES_ITSELF, 7);
+        }
+}
+
 /* Finite ones, whose sum is not. */
 THEOREM(turns_whose_sum_overflows_are_refused)
 {
@@ -1345,6 +1365,7 @@ int main(void)
     PROVE(a_view_of_no_kind_or_of_another_length_is_refused);
     PROVE(a_callback_that_fails_the_second_time_is_told);
     PROVE(building_needs_a_size_and_fails_as_a_whole);
+    PROVE(what_winds_more_than_once_crosses_itself);
     PROVE(turns_whose_sum_overflows_are_refused);
     PROVE(totals_and_phases_refuse_what_no_outline_has);
     PROVE(a_total_turn_below_the_noise_is_no_turn);
