@@ -1222,17 +1222,15 @@ static void surfmink__edges_between(const double *x, size_t dim, size_t count, d
     for (k = 0; k < end; ++k) edge[k] = x[k + dim] - x[k];
 }
 
-/* Normals of neighbours that are 90 degrees apart or more, or not of ordinary size, are none that plain formulas
-   take. */
+/* Normals that are 90 degrees or more from that of the corner before, or not of ordinary size, are none that plain
+   formulas take. */
 static void surfmink__between_normals(const double *n, surfmink__quad *l)
 {
     double nn;
     size_t k;
     for (k = 0; k < SURFMINK__QUAD; ++k, n += 3) {
         nn = surfmink__dot(n + 3, n + 3);
-        if (!(surfmink__dot(n, n + 3) > 0 && surfmink__dot(n + 3, n + 6) > 0 && nn > surfmink__small &&
-              nn < surfmink__large))
-            l->out[k] = 0;
+        if (!(surfmink__dot(n, n + 3) > 0 && nn > surfmink__small && nn < surfmink__large)) l->out[k] = 0;
     }
 }
 
@@ -1801,8 +1799,10 @@ static int surfmink__check_sphere(const surfmink_outline *o, double turned, surf
     int status = surfmink__check_turning(w->turning, turned, o->n);
     windings = surfmink__round((w->turning + solid_angle) / surfmink__two_pi);
     if (!(surfmink__abs(0.5 * windings - surfmink__round(0.5 * windings)) > 0.25)) return SURFMINK_CROSSES_ITSELF;
-    if (modulus > 0.3) w->curvature = solid_angle;
-    if (modulus > 0.3 && !(windings > 0.5 && windings < 1.5)) w->curvature += (1 - windings) * surfmink__two_pi;
+    if (modulus > 0.3) {
+        w->curvature = solid_angle; /* to which 0 is not added: -ffast-math would make something of it */
+        if (!(windings > 0.5 && windings < 1.5)) w->curvature += (1 - windings) * surfmink__two_pi;
+    }
     if (status == SURFMINK_CLOCKWISE)
         return w->curvature < 2 * surfmink__two_pi ? SURFMINK_CLOCKWISE : SURFMINK_CROSSES_ITSELF;
     if (!(w->curvature > -surfmink__flat * (w->length / o->radius) * (w->length / o->radius)))
@@ -2103,7 +2103,7 @@ static int surfmink__integrate(const surfmink__polygon *p, const double *phase, 
 {
     surfmink__dd sum[2 * SURFMINK__RANKS], turned;
     surfmink__block b;
-    double phases[SURFMINK__BLOCK], unit = length > 0 ? surfmink__scale(length) : 1, back = 1 / unit, v[2];
+    double phases[SURFMINK__BLOCK], unit = surfmink__scale(length), back = 1 / unit, v[2];
     size_t start;
     int first, ranks, k, status;
     for (first = 1; first <= max_rank; first += ranks) {
@@ -2171,7 +2171,7 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
     if (status != SURFMINK_OK) return status;
     if (edge >= n || !(fraction >= 0 && fraction < 1)) return SURFMINK_BAD_ARGUMENT;
     if ((status = surfmink__factor(turning, n, SURFMINK_PARALLEL, &factor)) != SURFMINK_OK) return status;
-    unit = total > 0 ? surfmink__scale(total) : 1;
+    unit = surfmink__scale(total);
     for (first = 1; first <= max_rank; first += ranks) {
         ranks = max_rank - first < SURFMINK__RANKS ? max_rank - first + 1 : SURFMINK__RANKS;
         for (k = 0; k < 2 * ranks; ++k) sum[k].high = sum[k].low = 0;

@@ -794,7 +794,7 @@ THEOREM(a_callback_that_fails_the_second_time_is_told)
 THEOREM(building_needs_a_size_and_fails_as_a_whole)
 {
     static const double centre[2] = {0, 0}, other[2] = {1, 2}, nowhere[3] = {0, 0, 0};
-    double radius = 1, unknown[3] = {1, 0, 0};
+    double radius = 1, unknown[3] = {1, 0, 0}, point[10];
     surfmink_surface surface = spinning_plane(), sphere = surfmink_sphere_surface(&radius);
     saboteur s;
     int call, status;
@@ -825,6 +825,11 @@ THEOREM(building_needs_a_size_and_fails_as_a_whole)
         surface = sabotaged(&s, call, 0, LENGTH_NAN);
         REFUSES(surfmink_edge_points(&surface, centre, other, 5, out.vector), SURFMINK_CALLBACK_FAILED);
     }
+    surface = sabotaged(&s, -1, 0, TELLS_THE_TRUTH);
+    CHECK_OK(surfmink_regular_polygon(&surface, centre, 1.0, 0.0, 5, point));
+    CHECK_EQUAL(s.calls, 10); /* twice for each corner, and once more for the log and each point but the first */
+    CHECK_OK(surfmink_edge_points(&surface, centre, other, 5, point));
+    CHECK_EQUAL(s.calls, 19);
 }
 
 /* --- the later steps ---------------------------------------------------------------------------------------------- */
@@ -847,6 +852,21 @@ THEOREM(what_winds_more_than_once_crosses_itself)
                    7);
             BLAMES(surfmink_measure(IN_SPACE(xyz, xyz, 7), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CROSSES_ITSELF, 7);
         }
+}
+
+/* A clockwise square, at two corners of which a small loop turns the other way: S = 2 pi, and a negative area, which is
+   small on a sphere of any radius. */
+THEOREM(the_radius_does_not_excuse_a_negative_area)
+{
+    static const double xy[16] = {0, 0, 0, 11, -1, 11, -1, 10, 10, 10, 10, -1, 11, -1, 11, 0};
+    double xyz[24], radius;
+    int i;
+    for (i = 0; i < 8; ++i) xyz[3 * i] = 1e-3 * xy[2 * i], xyz[3 * i + 1] = 1e-3 * xy[2 * i + 1], xyz[3 * i + 2] = 1;
+    BLAMES(surfmink_measure(IN_PLANE(xy, 8), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CROSSES_ITSELF, 8);
+    for (radius = 1e-9; radius < 2e9; radius *= 1e3) {
+        CASE("radius %g", radius);
+        BLAMES(surfmink_measure(ON_SPHERE(xyz, 8, radius), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CROSSES_ITSELF, 8);
+    }
 }
 
 /* Finite ones, whose sum is not. */
@@ -1366,6 +1386,7 @@ int main(void)
     PROVE(a_callback_that_fails_the_second_time_is_told);
     PROVE(building_needs_a_size_and_fails_as_a_whole);
     PROVE(what_winds_more_than_once_crosses_itself);
+    PROVE(the_radius_does_not_excuse_a_negative_area);
     PROVE(turns_whose_sum_overflows_are_refused);
     PROVE(totals_and_phases_refuse_what_no_outline_has);
     PROVE(a_total_turn_below_the_noise_is_no_turn);

@@ -338,6 +338,8 @@ THEOREM(merging_drops_repeated_corners_and_their_normals)
     double corner[14] = {1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 1, 1}; /* a a b b b c a: the last is the first again */
     double normal[21] = {10, 1, 2, 11, 0, 0, 20, 3, 4, 21, 0, 0, 22, 0, 0, 30, 5, 6, 12, 0, 0};
     static const double want[6] = {1, 1, 2, 2, 3, 3}, kept[9] = {10, 1, 2, 20, 3, 4, 30, 5, 6};
+    double twice[7] = {1, 2, 1, 2, 3, 4, 5};
+    static const double once[7] = {1, 2, 3, 4, 3, 4, 5};
     double near[6] = {0, 0, 0, 1e-300, 0, 0}, same[4] = {5, 5, 5, 5}, zero[4] = {0.0, 0.0, -0.0, 0.0};
     CHECK_EQUAL(surfmink_merge(corner, normal, 7, 2, 0.0), 3);
     CHECK_SAME(corner, want, 6);
@@ -345,6 +347,8 @@ THEOREM(merging_drops_repeated_corners_and_their_normals)
     CHECK_EQUAL(surfmink_merge(corner, NULL, 3, 2, 0.0), 3);
     CHECK_SAME(corner, want, 6);
     CHECK_EQUAL(surfmink_merge(near, NULL, 3, 2, 0.0), 2); /* only equal corners are the same */
+    CHECK_EQUAL(surfmink_merge(twice, NULL, 3, 2, 0.0), 2);
+    CHECK_SAME(twice, once, 7); /* what stands behind them stays */
     CHECK_EQUAL(surfmink_merge(same, NULL, 2, 2, 0.0), 1);
     CHECK_EQUAL(surfmink_merge(zero, NULL, 2, 2, 0.0), 1); /* there is no negative place */
     CHECK_EQUAL(surfmink_merge(same, NULL, 1, 2, 0.0), 1);
