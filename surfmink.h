@@ -1791,22 +1791,24 @@ static int surfmink__check_plane(const surfmink_outline *o, surfmink_functionals
 }
 
 /* On the sphere S + solid angle is an odd multiple of 2 pi for all outlines that can be drawn without crossings; and
-   what is enclosed, 2 pi - S, lies between 0 and 2 pi if they are drawn right. The solid angle is known modulo 4 pi,
-   and has more digits than 2 pi - S unless corners are almost antipodal. */
+   what is enclosed, 2 pi - S, lies between 0 and 2 pi if they are drawn right, and below 4 pi if they are clockwise.
+   The solid angle is known modulo 4 pi, and has more digits than S unless corners are almost antipodal. */
 static int surfmink__check_sphere(const surfmink_outline *o, double turned, surfmink_functionals *w)
 {
-    double solid_angle = 0, windings, modulus = surfmink__solid_angle(o, &solid_angle);
+    const double l = w->length / o->radius, flat = surfmink__flat * l * l;
+    double solid_angle = 0, windings, beyond, modulus = surfmink__solid_angle(o, &solid_angle);
     int status = surfmink__check_turning(w->turning, turned, o->n);
     windings = surfmink__round((w->turning + solid_angle) / surfmink__two_pi);
     if (!(surfmink__abs(0.5 * windings - surfmink__round(0.5 * windings)) > 0.25)) return SURFMINK_CROSSES_ITSELF;
+    if (status == SURFMINK_CLOCKWISE) {
+        beyond = modulus > 0.3 ? solid_angle - (1 + windings) * surfmink__two_pi : -surfmink__two_pi - w->turning;
+        return beyond < flat ? SURFMINK_CLOCKWISE : SURFMINK_CROSSES_ITSELF;
+    }
     if (modulus > 0.3) {
         w->curvature = solid_angle; /* to which 0 is not added: -ffast-math would make something of it */
         if (!(windings > 0.5 && windings < 1.5)) w->curvature += (1 - windings) * surfmink__two_pi;
     }
-    if (status == SURFMINK_CLOCKWISE)
-        return w->curvature < 2 * surfmink__two_pi ? SURFMINK_CLOCKWISE : SURFMINK_CROSSES_ITSELF;
-    if (!(w->curvature > -surfmink__flat * (w->length / o->radius) * (w->length / o->radius)))
-        return SURFMINK_CROSSES_ITSELF;
+    if (!(w->curvature > -flat)) return SURFMINK_CROSSES_ITSELF;
     if (status != SURFMINK_OK) return status;
     w->turning = surfmink__two_pi - w->curvature;
     w->area = w->curvature * o->radius * o->radius;

@@ -854,6 +854,27 @@ THEOREM(what_winds_more_than_once_crosses_itself)
         }
 }
 
+/* However small, on every surface. */
+THEOREM(what_runs_clockwise_is_told_as_that_at_any_size)
+{
+    double xy[12], xyz[18], out_of[18], size;
+    int i;
+    for (size = 0.5; size > 1e-13; size /= 7) {
+        for (i = 0; i < 6; ++i) {
+            double t = -2 * PI * i / 6, x = size * cos(t), y = 0.8 * size * sin(t);
+            xy[2 * i] = x, xy[2 * i + 1] = y;
+            xyz[3 * i] = x, xyz[3 * i + 1] = y, xyz[3 * i + 2] = 1;
+            out_of[3 * i] = 0.3 + 0.8 * x, out_of[3 * i + 1] = 0.4 + y, out_of[3 * i + 2] = 0.9 - 0.6 * x;
+        }
+        CASE("size %g", size);
+        BLAMES(surfmink_measure(IN_PLANE(xy, 6), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CLOCKWISE, 6);
+        BLAMES(surfmink_measure(ON_SPHERE(xyz, 6, 1e6), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CLOCKWISE, 6);
+        BLAMES(surfmink_measure(ON_SPHERE(out_of, 6, 1.0), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CLOCKWISE, 6);
+        BLAMES(surfmink_measure(IN_SPACE(xyz, xyz, 6), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CLOCKWISE, 6);
+        BLAMES(surfmink_measure(IN_SPACE(out_of, out_of, 6), 3, out.mu, out.g, &out.w, &bad), SURFMINK_CLOCKWISE, 6);
+    }
+}
+
 /* A clockwise square, at two corners of which a small loop turns the other way: S = 2 pi, and a negative area, which is
    small on a sphere of any radius. */
 THEOREM(the_radius_does_not_excuse_a_negative_area)
@@ -919,11 +940,13 @@ THEOREM(totals_and_phases_refuse_what_no_outline_has)
                 REFUSES(surfmink_transport_angle(a, 4, 0, 1, transport, wrong[what], out.mu), SURFMINK_NOT_FINITE);
             }
         }
-    memcpy(length, l, sizeof l);
-    length[2] = -1;
-    REFUSES(surfmink_total(NULL, length, a, 4, &out.w), SURFMINK_BAD_ARGUMENT);
+    for (i = 0; i < 4; ++i) {
+        memcpy(length, l, sizeof l);
+        length[i] = -1;
+        REFUSES(surfmink_total(NULL, length, a, 4, &out.w), SURFMINK_BAD_ARGUMENT);
+        REFUSES(surfmink_irreducible(length, a, 4, 3, out.g), SURFMINK_BAD_ARGUMENT);
+    }
     REFUSES(surfmink_total(NULL, none, a, 4, &out.w), SURFMINK_BAD_ARGUMENT);
-    REFUSES(surfmink_irreducible(length, a, 4, 3, out.g), SURFMINK_BAD_ARGUMENT);
     REFUSES(surfmink_irreducible(l, a, 4, -1, out.g), SURFMINK_BAD_ARGUMENT);
     REFUSES(surfmink_irreducible_parallel(length, a, 4, 0, 0.5, 3, out.g), SURFMINK_BAD_ARGUMENT);
     REFUSES(surfmink_irreducible_parallel(l, a, 4, 0, 0.5, -1, out.g), SURFMINK_BAD_ARGUMENT);
@@ -1186,7 +1209,9 @@ THEOREM(tensors_and_spectra_refuse_ranks_that_do_not_exist)
 
 THEOREM(frames_refuse_edges_that_have_none)
 {
+    static const double chord[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, along[9] = {1, 1e-3, 0, 1, -1e-3, 0, 0, 0, 1};
     double flat[10], space[15];
+    REFUSES(surfmink_frame(IN_SPACE(chord, along, 3), 0, out.vector), SURFMINK_ZERO_NORMAL); /* the means of both */
     pentagon(PLANE, flat);
     pentagon(EMBEDDED, space);
     REFUSES(surfmink_frame(IN_PLANE(flat, 2), 0, out.vector), SURFMINK_TOO_FEW_CORNERS);
@@ -1386,6 +1411,7 @@ int main(void)
     PROVE(a_callback_that_fails_the_second_time_is_told);
     PROVE(building_needs_a_size_and_fails_as_a_whole);
     PROVE(what_winds_more_than_once_crosses_itself);
+    PROVE(what_runs_clockwise_is_told_as_that_at_any_size);
     PROVE(the_radius_does_not_excuse_a_negative_area);
     PROVE(turns_whose_sum_overflows_are_refused);
     PROVE(totals_and_phases_refuse_what_no_outline_has);

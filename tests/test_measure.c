@@ -576,6 +576,32 @@ THEOREM(areas_in_space_are_of_second_order_in_the_size)
         }
 }
 
+/* A strip round a cylinder, from -110 to 110 degrees: the normals at its ends lean away from the mean of all, and its
+   area is positive all the same, whichever corner comes first. And a line there and back has none. */
+THEOREM(an_area_in_space_is_on_the_side_of_most_normals)
+{
+    enum { SIDE = 45, CORNERS = 2 * SIDE };
+    static const double line[12] = {0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 0, 0}, up[12] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+    double corner[3 * CORNERS], normal[3 * CORNERS], moved[3 * CORNERS], turned[3 * CORNERS], area, first = 0;
+    size_t i;
+    for (i = 0; i < CORNERS; ++i) {
+        double t = (-110 + 5 * (double)(i < SIDE ? i : CORNERS - 1 - i)) * PI / 180, *n = normal + 3 * i;
+        n[0] = sin(t), n[1] = 0, n[2] = cos(t);
+        corner[3 * i] = n[0], corner[3 * i + 1] = i < SIDE ? -0.1 : 0.1, corner[3 * i + 2] = n[2];
+    }
+    for (i = 0; i < CORNERS; ++i) {
+        start_at(i, corner, CORNERS, 3, moved);
+        start_at(i, normal, CORNERS, 3, turned);
+        CASE("from corner %d", (int)i);
+        CHECK_OK(surfmink_area(IN_SPACE(moved, turned, CORNERS), &area));
+        if (i == 0) first = area;
+        CHECK_CLOSE(area, first, 1e-13);
+    }
+    CHECK_CLOSE(first, 0.2 * 220 * PI / 180, 0.25); /* an estimate: so long a strip is no disc */
+    CHECK_OK(surfmink_area(IN_SPACE(line, up, 4), &area));
+    CHECK_NEAR(area, 0, 0);
+}
+
 THEOREM(polygons_of_the_sphere_have_their_area_in_space_too)
 {
     chance c = {seed(25)};
@@ -896,6 +922,7 @@ int main(void)
     PROVE(of_two_sides_the_smaller_one_is_told_with_its_sign);
     PROVE(a_hemisphere_has_half_the_sphere_on_either_side);
     PROVE(areas_in_space_are_of_second_order_in_the_size);
+    PROVE(an_area_in_space_is_on_the_side_of_most_normals);
     PROVE(polygons_of_the_sphere_have_their_area_in_space_too);
     PROVE(thin_meanders_of_a_sphere_keep_the_digits_of_their_area);
     PROVE(reversal_negates_every_turn);
