@@ -1042,6 +1042,12 @@ function showLoaded(i, remarks = []) {
   notify(remarks.join(" "));
 }
 
+// The attribute autofocus would have its say when the page is loaded, too.
+function openDialog(dialog, focused) {
+  $(dialog).showModal();
+  $(focused).focus({ preventScroll: true });
+}
+
 // Loads a table or a link; opens the window with what is wrong, if anything is.
 function load(text) {
   $("load-said").hidden = true;
@@ -1075,7 +1081,7 @@ function load(text) {
   $("load-right").textContent = example;
   $("load-said").hidden = false;
   $("load-text").value = text.length > 100000 ? "" : text; // a field with megabytes is slow
-  if (!$("load").open) $("load").showModal();
+  if (!$("load").open) openDialog("load", "load-text");
   $("load").scrollTop = 0;
 }
 
@@ -1530,7 +1536,7 @@ document.addEventListener("keydown", (event) => {
   } else if (key === "+" || key === "=") zoom(1.25);
   else if (key === "-") zoom(0.8);
   else if (key === "0") goTo(viewOfAll());
-  else if (key === "?") $("help").showModal();
+  else if (key === "?") openDialog("help", "help-title");
   else if ((key === "Delete" || key === "Backspace") && i >= 0) {
     event.preventDefault();
     removeCorner(i);
@@ -1590,11 +1596,10 @@ for (const button of document.querySelectorAll("[data-copy]")) {
     }, 1500);
   });
 }
-$("open-help").addEventListener("click", () => $("help").showModal());
+$("open-help").addEventListener("click", () => openDialog("help", "help-title"));
 $("open-load").addEventListener("click", () => {
   $("load-said").hidden = true;
-  $("load").showModal();
-  $("load-text").focus({ preventScroll: true });
+  openDialog("load", "load-text");
 });
 for (const button of document.querySelectorAll("[data-close]"))
   button.addEventListener("click", () => button.closest("dialog").close());
