@@ -2682,7 +2682,8 @@ typedef struct surfmink__job {
 static size_t surfmink__measure_one(const surfmink__job *job, size_t i)
 {
     const surfmink_results *out = job->out;
-    const size_t at = job->offset[i], end = job->offset[i + 1], ranks = (size_t)job->max_rank + 1;
+    const size_t at = job->offset[i], end = job->offset[i + 1],
+                 ranks = job->max_rank >= 0 ? (size_t)job->max_rank + 1 : 0;
     surfmink_outline o = *job->all;
     surfmink_functionals w;
     size_t bad = end >= at ? end - at : 0;

@@ -216,7 +216,8 @@ static inline void surfmink_gradient__turns(const double *by_phase, size_t n, do
     const double factor = 6.28318530717958647693 / turning, base = -moment / turning;
     double suffix[2] = {0, 0}, f;
     size_t i;
-    for (i = n; i-- > 0;) {
+    for (i = n; i > 0;) {
+        --i;
         f = by_phase[i] - (i == 0 ? turn : 0);
         if (i > 0) surfmink_gradient__add(suffix, f);
         by_turning[i] = i > 0 ? base + factor * (suffix[0] + suffix[1]) : base;
