@@ -579,8 +579,8 @@ static size_t surfmink__stride(const surfmink_outline *o)
 
 /* --- arithmetic --------------------------------------------------------------------------------------------------- */
 
-/* Functions that vector kernels call, too: out of line they would be SSE code between AVX instructions, which makes
-   long outlines five times as slow on some processors. */
+/* Functions of loops over lanes, and those that vector kernels call, too: out of line these would be SSE code between
+   AVX instructions, which makes long outlines five times as slow on some processors. */
 #if defined(__GNUC__)
 #define SURFMINK__INLINE static __inline__ __attribute__((always_inline))
 #else
@@ -1205,7 +1205,7 @@ static void surfmink__copy(const surfmink_outline *o, const double *from, double
     size_t i = surfmink__previous(o, first), dim = o->kind == SURFMINK_PLANE ? 2 : 3;
     const double *at = from + dim * i;
     double x, y, *end = copy + dim * SURFMINK__PADDED(count);
-    for (; copy < end; copy += dim) {
+    for (; copy < end; copy += dim) { /* read before written, so that compilers may store both at once */
         x = at[0] * scale;
         y = at[1] * scale;
         copy[0] = x;
@@ -2088,7 +2088,7 @@ static double surfmink__argument(const double g[2])
     return surfmink__atan2(v[1] + 0.0, v[0]);
 }
 
-/* The square of |g_p| times a scale. */
+/* (scale |g_p|)^2 */
 static double surfmink__square(const double g[2], double scale)
 {
     return g[0] * scale * (g[0] * scale) + g[1] * scale * (g[1] * scale);
@@ -2175,6 +2175,7 @@ SURFMINK_DEF int surfmink_irreducible_parallel(const double *length, const doubl
     int first, ranks, k, status = surfmink__polygon_from(length, turning, n, max_rank, &p, &total);
     if (status != SURFMINK_OK) return status;
     if (edge >= n || !(fraction >= 0 && fraction < 1)) return SURFMINK_BAD_ARGUMENT;
+    /* 1, or turns whose sum overflows */
     if ((status = surfmink__factor(turning, n, SURFMINK_PARALLEL, &factor)) != SURFMINK_OK) return status;
     unit = surfmink__scale(total);
     for (first = 1; first <= max_rank; first += ranks) {
